@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Resistance of the soil skeleton to seepage, a v_D + b |v_D| v_D per unit mass of water. [theory (4.1)]
+#pragma once
+#include "core/Types.hpp"
+#include "selection/ModelTable.hpp"
+
+#include <string>
+
+namespace isph {
+
+struct Resistance {
+    Real linear = 0;      ///< a [1/s]
+    Real quadratic = 0;   ///< b [1/m]
+};
+
+/// The law of one soil zone. It is asked once per zone; particles scale its values by the local share
+/// of soil, so no model is called per particle.
+class PorousModel {
+public:
+    static constexpr const char* family = "porousModel";
+    using Table = ModelTable<PorousModel>;
+    static Table& table();
+    /// The model that a zone's dictionary names: porousModel <type>; <type>Coeffs {...}.
+    static std::unique_ptr<PorousModel> select(const Dictionary& zone);
+
+    virtual ~PorousModel() = default;
+
+    /// a and b of soil of the given porosity in water of kinematic viscosity nu [m2/s].
+    virtual Resistance resistance(Real porosity, Real nu) const = 0;
+    /// The formula in one line, for the log.
+    virtual std::string formula() const = 0;
+    /// Porosity of the intact soil, 0 < eps < 1.
+    Real porosity() const { return porosity_; }
+    /// C_r = 1 + 0.34 (1 - eps)/eps, the inertia coefficient.            [theory (4.2), paper (6)]
+    virtual Real inertiaCoefficient(Real porosity) const;
+
+protected:
+    explicit PorousModel(Real porosity) : porosity_(porosity) {}
+
+private:
+    Real porosity_;
+};
+
+/// What both forms share:  K = nu/a [m2], the intrinsic permeability,  C = b sqrt(K).
+Real permeability(const Resistance& r, Real nu);
+
+}  // namespace isph

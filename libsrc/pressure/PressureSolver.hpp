@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Linear solvers of the pressure equation, chosen by name in system/isphSolution.
+#pragma once
+#include "pressure/SymmetricMatrix.hpp"
+#include "selection/ModelTable.hpp"
+
+#include <string>
+
+namespace isph {
+
+/// |r|_2/|b|_2 before and after; both 0 for b = 0.
+struct SolverReport {
+    std::string solver;          ///< as printed in the log: "PCG", "cholmod", ...
+    Real initialResidual = 0;
+    Real finalResidual = 0;      ///< of the true residual b - A x, computed anew
+    int iterations = 0;
+    bool converged = false;
+};
+
+class PressureSolver {
+public:
+    static constexpr const char* family = "pressureSolver";
+    using Table = ModelTable<PressureSolver>;
+    static Table& table();
+    /// The solver that the dictionary names: pressure { solver PCG; tolerance 1e-6; relTol 0; maxIter 200; }
+    static std::unique_ptr<PressureSolver> select(const Dictionary& pressure);
+
+    virtual ~PressureSolver() = default;
+
+    /// Solves A x = b from the guess in x, to |r| <= max(tolerance |b|, relTol |r0|).
+    virtual SolverReport solve(const SymmetricMatrix& matrix, Span<const Real> b, Span<Real> x) = 0;
+    /// Drops whatever is kept from earlier steps, so that a restarted run goes on with the same bits.
+    virtual void forget() {}
+};
+
+}  // namespace isph

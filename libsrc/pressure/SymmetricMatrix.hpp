@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The matrix of the pressure equation: symmetric, positive definite, off-diagonals <= 0.
+#pragma once
+#include "core/Types.hpp"
+
+#include <vector>
+
+namespace isph {
+
+/// Rows hold both halves of the off-diagonal entries, columns ascending; the diagonal stands apart.
+struct SymmetricMatrix {
+    std::vector<PairIndex> rowStart{0};   ///< size()+1
+    std::vector<Index> column;
+    std::vector<Real> offDiagonal;
+    std::vector<Real> diagonal;
+
+    std::size_t size() const { return diagonal.size(); }
+};
+
+/// y = A x
+void multiply(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y);
+
+/// |b - A x|_2, summed in order (the same bits for any number of threads).
+Real residualNorm(const SymmetricMatrix& matrix, Span<const Real> x, Span<const Real> b);
+
+}  // namespace isph
