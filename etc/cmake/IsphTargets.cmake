@@ -1,7 +1,7 @@
 # isph_library(<folder> [SOURCES ...] [USES <folders> ...] [LINKS <external targets> ...])
-#   One folder of libsrc is one shared library, isph_<folder> (libisph<Folder>.so). Its headers are
-#   found as "<folder>/X.hpp" by targets that use it and by no other, so that an include of a
-#   folder that is not linked does not compile.
+#   One folder of libsrc is one shared library, libisph_<folder>.so; plug-ins know it as the target
+#   isphPorousFoam::<folder>. (The models of a family are libisph<Models>.so.) Its headers are as "<folder>/X.hpp" by targets that use it and by no other, so that an include of a folder that
+#   is not linked does not compile.
 # isph_models(<folder> <libName> SOURCES ... [LINKS ...])
 #   The models of a family: a library that nothing links and the family loads by name.
 # isph_program(<name> SOURCES ... USES ... [LINKS ...])
@@ -24,19 +24,17 @@ function(isph_library folder)
     file(MAKE_DIRECTORY ${ISPH_INCLUDE_ROOT}/${folder})
     file(CREATE_LINK ${CMAKE_SOURCE_DIR}/libsrc/${folder}
         ${ISPH_INCLUDE_ROOT}/${folder}/${folder} SYMBOLIC)
-    string(SUBSTRING ${folder} 0 1 first)
-    string(TOUPPER ${first} first)
-    string(SUBSTRING ${folder} 1 -1 rest)
     set(target isph_${folder})
     if(arg_SOURCES)
         add_library(${target} SHARED ${arg_SOURCES})
-        set_target_properties(${target} PROPERTIES OUTPUT_NAME isph${first}${rest})
         isph_compile_options(${target})
         set(scope PUBLIC)
     else()
         add_library(${target} INTERFACE)
         set(scope INTERFACE)
     endif()
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder})
+    target_compile_features(${target} ${scope} cxx_std_20)
     target_include_directories(${target} ${scope}
         $<BUILD_INTERFACE:${ISPH_INCLUDE_ROOT}/${folder}> $<INSTALL_INTERFACE:include/isph>)
     foreach(used ${arg_USES})
