@@ -1,7 +1,7 @@
 # isph_library(<folder> [SOURCES ...] [USES <folders> ...] [LINKS <external targets> ...])
 #   One folder of libsrc is one shared library, libisph_<folder>.so; plug-ins know it as the target
-#   isphPorousFoam::<folder>. (The models of a family are libisph<Models>.so.) Its headers are as "<folder>/X.hpp" by targets that use it and by no other, so that an include of a folder that
-#   is not linked does not compile.
+#   isphPorousFoam::<folder>. Its headers are found as "<folder>/X.hpp" by targets that use it and by
+#   no other, so that an include of a folder that is not linked does not compile.
 # isph_models(<folder> <libName> SOURCES ... [LINKS ...])
 #   The models of a family: a library that nothing links and the family loads by name.
 # isph_program(<name> SOURCES ... USES ... [LINKS ...])
@@ -10,7 +10,8 @@ set(ISPH_INCLUDE_ROOT ${CMAKE_BINARY_DIR}/include)
 
 function(isph_compile_options target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-        -Wno-sign-conversion $<$<CONFIG:Release,RelWithDebInfo>:-O3 -fno-math-errno -ffp-contract=on>)
+        -Wno-sign-conversion $<$<CONFIG:Release,RelWithDebInfo>:-O3 -fno-math-errno -fno-trapping-math
+        -ffp-contract=on>)
     if(ISPH_WARNINGS_AS_ERRORS)
         target_compile_options(${target} PRIVATE -Werror)
     endif()
