@@ -57,6 +57,8 @@ public:
     std::vector<std::string> keywords() const;
     bool found(std::string_view key) const;    ///< exact key, else a pattern that matches
     bool isDict(std::string_view key) const;
+    /// A macro used this entry: a variable of the user's, not a misspelled keyword.
+    bool isUsedByMacro(std::string_view key) const;
     const Dictionary& subDict(std::string_view key) const;   ///< throws if missing or no dictionary
 
     /// The tokens of an entry (macros resolved). Throws "keyword x is undefined in dictionary ...".
@@ -90,7 +92,7 @@ public:
     std::string toString(int indent = 0) const;
 
 private:
-    friend class DictionaryParser;
+    friend struct DictionaryAccess;   // of the parser and the schemas, in this folder
     struct Content;
     std::unique_ptr<Content> content_;
 };

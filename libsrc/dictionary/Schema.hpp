@@ -19,7 +19,7 @@ struct Key {
     KeyType type = KeyType::scalar;
     std::string description;              ///< one sentence
     Dimensions dimensions{};
-    std::string preset;                   ///< default in dictionary syntax; empty: none
+    std::string preset{};                 ///< default in dictionary syntax; empty: none
     KeyPresence presence = KeyPresence::required;
     std::optional<double> least{};        ///< inclusive, unless openLeast
     std::optional<double> most{};
