@@ -9,6 +9,8 @@
 // and a model M of it is a class with `static Schema keys();`, a constructor (const Dictionary&, Args...)
 // and, in its .cpp,
 //     namespace { const F::Table::Entry<M> entry{"ergun"}; }
+// A dictionary then says   porousModel ergun;  ergunCoeffs { ... }   (coefficients of other models may
+// stand beside, so that changing a model is changing one word).
 #pragma once
 #include "dictionary/Schema.hpp"
 #include "selection/Libraries.hpp"
@@ -16,15 +18,43 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace isph {
 
 /// Raised by whatever changes a family interface; compiled into every model.
 inline constexpr int kAbi = 1;
 
-template <class Family, class... Args>
-class ModelTable {
+/// "Unknown porousModel type foo\n\nValid porousModel types are:\n\n3\n(\n...": throws FatalIOError.
+[[noreturn]] void failUnknownModel(const std::string& family, const std::string& name,
+                                   const std::vector<std::string>& valid, const Dictionary& where,
+                                   std::string_view key);
+
+/// <name>Coeffs of `dict`; empty, but named like it, where it is absent and no key of it is required.
+/// Throws FatalIOError where a required sub-dictionary is missing.
+Dictionary modelCoefficients(const Dictionary& dict, const std::string& name, const Schema& keys);
+
+/// What every table shows to those that list models.
+class AnyModelTable {
 public:
+    virtual ~AnyModelTable();
+    /// Registered names, sorted; loads the family's library.
+    virtual std::vector<std::string> names() const = 0;
+    /// The keys of a registered model.
+    virtual Schema keys(const std::string& name) const = 0;
+
+protected:
+    explicit AnyModelTable(const char* family);   ///< enters the table in modelFamilies()
+};
+
+/// The tables of all families whose libraries are loaded, by name.
+const std::map<std::string, const AnyModelTable*>& modelFamilies();
+
+template <class Family, class... Args>
+class ModelTable : public AnyModelTable {
+public:
+    ModelTable() : AnyModelTable(Family::family) {}
+
     using Make = std::unique_ptr<Family> (*)(const Dictionary&, Args...);
     struct Row {
         Make make;
@@ -34,7 +64,10 @@ public:
     /// Called while a library is being loaded, so it must not throw: conflicts are noted for later.
     void add(const char* name, Row row, int abi) noexcept
     {
-        if (abi != coreAbi() || !rows_.emplace(name, row).second) noteConflict(Family::family, name, abi);
+        if (abi != coreAbi()) return noteConflict(Family::family, name, abi);
+        const auto [place, added] = rows_.emplace(name, row);
+        if (!added)
+            noteConflict(Family::family, name, abi, reinterpret_cast<const void*>(place->second.make));
     }
 
     /// The model called `name`, made from its coefficients after they were checked against its keys.
@@ -47,6 +80,23 @@ public:
         return row.make(coefficients, args...);
     }
 
+    /// The model that `dict`, among other keys, names by the word at `key`; made from <name>Coeffs.
+    std::unique_ptr<Family> select(const Dictionary& dict, std::string_view key, Args... args) const
+    {
+        const std::string name = dict.get<std::string>(key);
+        const Schema keys = find(name, dict, key).keys();
+        return make(name, modelCoefficients(dict, name, keys), dict, key, args...);
+    }
+
+    /// As select(), for a dictionary that holds nothing but this choice:  <family> <name>;  <name>Coeffs
+    /// {...}, and perhaps the coefficients of other models. Any other key is an error.
+    std::unique_ptr<Family> selectOnly(const Dictionary& dict, Args... args) const
+    {
+        if (dict.found(Family::family)) find(dict.get<std::string>(Family::family), dict, Family::family);
+        choiceKeys().check(dict);
+        return select(dict, Family::family, args...);
+    }
+
     const Row& find(const std::string& name, const Dictionary& where, std::string_view key) const
     {
         loadFamily(Family::family);
@@ -55,8 +105,7 @@ public:
         return it->second;
     }
 
-    /// Registered names, sorted; loads the family's library.
-    std::vector<std::string> names() const
+    std::vector<std::string> names() const override
     {
         loadFamily(Family::family);
         std::vector<std::string> all;
@@ -64,7 +113,7 @@ public:
         return all;
     }
 
-    Schema keys(const std::string& name) const { return rows_.at(name).keys(); }
+    Schema keys(const std::string& name) const override { return rows_.at(name).keys(); }
 
     template <class Model>
     struct Entry {
@@ -80,12 +129,15 @@ public:
     };
 
 private:
+    Schema choiceKeys() const
+    {
+        Schema all{Key::word(Family::family, "the model")};
+        for (const std::string& name : names())
+            all.add(Key::dictionary(name + "Coeffs", "coefficients of " + name).mayBeAbsent());
+        return all;
+    }
+
     std::map<std::string, Row> rows_;
 };
-
-/// "Unknown porousModel type foo\n\nValid porousModel types are:\n\n3\n(\n...": throws FatalIOError.
-[[noreturn]] void failUnknownModel(const std::string& family, const std::string& name,
-                                   const std::vector<std::string>& valid, const Dictionary& where,
-                                   std::string_view key);
 
 }  // namespace isph
