@@ -25,9 +25,10 @@ public:
 
     virtual ~PorousModel() = default;
 
-    /// a and b of soil of the given porosity in water of kinematic viscosity nu [m2/s].
+    /// a and b of soil of the given porosity, 0 < porosity <= 1, in water of kinematic viscosity nu
+    /// [m2/s]. Models of grains give 0 at porosity 1; measured permeabilities do not change with it.
     virtual Resistance resistance(Real porosity, Real nu) const = 0;
-    /// The formula in one line, for the log.
+    /// The formula in one line with its coefficients, for the log: "ergun: a = 150 nu ...".
     virtual std::string formula() const = 0;
     /// Porosity of the intact soil, 0 < eps < 1.
     Real porosity() const { return porosity_; }
@@ -41,7 +42,13 @@ private:
     Real porosity_;
 };
 
-/// What both forms share:  K = nu/a [m2], the intrinsic permeability,  C = b sqrt(K).
+/// K = nu/a [m2], the intrinsic permeability of Darcy's law; infinite where a = 0.
 Real permeability(const Resistance& r, Real nu);
+/// C = b sqrt(K), the coefficient of  nu/K v_D + C/sqrt(K) |v_D| v_D.        [paper (4)]
+Real forchheimerCoefficient(const Resistance& r, Real nu);
+
+/// Three lines for the log: the zone, its formula, and its porosity, a, b, K, C and C_r in water of
+/// kinematic viscosity nu [m2/s].
+std::string describe(const std::string& zone, const PorousModel& model, Real nu);
 
 }  // namespace isph
