@@ -10,7 +10,7 @@ set(ISPH_INCLUDE_ROOT ${CMAKE_BINARY_DIR}/include)
 
 function(isph_compile_options target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-        -Wno-sign-conversion $<$<CONFIG:Release,RelWithDebInfo>:-O3 -fno-math-errno -fno-trapping-math
+        -Wno-sign-conversion -Wno-restrict $<$<CONFIG:Release,RelWithDebInfo>:-O3 -fno-math-errno -fno-trapping-math
         -ffp-contract=on>)
     if(ISPH_WARNINGS_AS_ERRORS)
         target_compile_options(${target} PRIVATE -Werror)

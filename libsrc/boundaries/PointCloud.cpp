@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "boundaries/PointCloud.hpp"
+
+#include "neighbours/CellGrid.hpp"
+
+#include <cmath>
+
+namespace isph {
+
+namespace {
+constexpr Real kWetReach = 0.8;   // of the local spacing: a marker touches water   [theory (6.5)]
+
+template <int Dim>
+Real root(Real a) { return Dim == 2 ? std::sqrt(a) : std::cbrt(a); }
+}  // namespace
+
+template <int Dim>
+WallCloud<Dim>::WallCloud(const Walls<Dim>& walls, const PeriodicBox<Dim>& box, Real reach)
+    : x(walls.x), normal(walls.normal), depth(walls.depth), volume(walls.volume), wall(walls.wall)
+{
+    owner.resize(x.size());
+    for (std::size_t k = 0; k < x.size(); ++k) owner[k] = static_cast<Index>(k);
+    if (!box.any()) return;
+    for (Index k = 0; k < static_cast<Index>(walls.size()); ++k)
+        box.forImages(walls.x[k], reach, [&](const Vec<Dim>& shift) {
+            x.push_back(walls.x[k] + shift);
+            normal.push_back(walls.normal[k]);
+            depth.push_back(walls.depth[k]);
+            volume.push_back(walls.volume[k]);
+            wall.push_back(walls.wall[k]);
+            owner.push_back(k);
+        });
+}
+
+template <int Dim>
+void layPoints(const Water<Dim>& water, Span<const Real> porosity, const WallCloud<Dim>& walls,
+               const PeriodicBox<Dim>& box, Real spacing, Real h0, Real support, Points<Dim>& points)
+{
+    const Index n = static_cast<Index>(water.size());
+    points.water = n;
+    points.x.assign(water.x.begin(), water.x.end());
+    points.owner.resize(n);
+    Real largestH = h0;
+    for (Index i = 0; i < n; ++i) {
+        points.owner[i] = i;
+        largestH = std::max(largestH, h0 / root<Dim>(porosity[i]));
+    }
+    if (box.any()) {
+        box.requireLength(support * largestH);
+        for (Index i = 0; i < n; ++i)
+            box.forImages(water.x[i], support * largestH, [&](const Vec<Dim>& shift) {
+                points.x.push_back(water.x[i] + shift);
+                points.owner.push_back(i);
+            });
+    }
+    points.fluid = static_cast<Index>(points.x.size());
+    points.x.insert(points.x.end(), walls.x.begin(), walls.x.end());
+    points.owner.insert(points.owner.end(), walls.owner.begin(), walls.owner.end());
+    points.volume.resize(points.x.size());
+    points.h.resize(points.x.size());
+    const Real cell = Dim == 2 ? sqr(spacing) : cube(spacing);
+    parallelFor(points.x.size(), [&](Index k) {
+        const bool fluid = k < points.fluid;
+        const Real eps = fluid ? porosity[points.owner[k]] : 1;
+        points.volume[k] = fluid ? cell / eps : walls.volume[k - points.fluid];
+        points.h[k] = h0 / root<Dim>(eps);
+    });
+}
+
+template <int Dim>
+void dryWalls(const WallCloud<Dim>& walls, Real spacing, Real h0, Points<Dim>& points)
+{
+    const Index fluid = points.fluid;
+    if (walls.size() == 0) return;
+    const Real largestH = orderedMax(fluid, h0, [&](Index i) { return points.h[i]; });
+    const Real reach = kWetReach * spacing * largestH / h0;
+    CellGrid<Dim> grid;
+    grid.build(Span<const Vec<Dim>>(points.x.data(), fluid), std::max(reach, 2 * spacing));
+    parallelFor(walls.size(), [&](Index k) {
+        const Vec<Dim> marker = walls.x[k] + (walls.depth[k] + Real(0.5) * spacing) * walls.normal[k];
+        bool wet = false;
+        Real nearest = reach * reach, h = h0;   // the nearest water lends its h to the wall
+        grid.forEachNear(marker, reach, [&](Index j) {
+            const Real r2 = normSqr(marker - points.x[j]);
+            if (r2 < sqr(kWetReach * spacing * points.h[j] / h0)) wet = true;
+            if (r2 < nearest) nearest = r2, h = points.h[j];
+        });
+        points.volume[fluid + k] = wet ? walls.volume[k] : 0;
+        points.h[fluid + k] = h;
+    });
+}
+
+template struct WallCloud<2>;
+template struct WallCloud<3>;
+template void layPoints(const Water<2>&, Span<const Real>, const WallCloud<2>&, const PeriodicBox<2>&, Real, Real, Real, Points<2>&);
+template void layPoints(const Water<3>&, Span<const Real>, const WallCloud<3>&, const PeriodicBox<3>&, Real, Real, Real, Points<3>&);
+template void dryWalls(const WallCloud<2>&, Real, Real, Points<2>&);
+template void dryWalls(const WallCloud<3>&, Real, Real, Points<3>&);
+
+}  // namespace isph

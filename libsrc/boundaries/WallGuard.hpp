@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "boundaries/PointCloud.hpp"
+#include "neighbours/CellGrid.hpp"
+
+namespace isph {
+
+/// Keeps water out of walls, whatever the pressure did: a particle lower than a tenth of a spacing
+/// above a wall surface is put back to that height. Flow along walls stays half a spacing away and
+/// never meets the guard; it is there for impacts.                                     [theory (6.6)]
+template <int Dim>
+class WallGuard {
+public:
+    WallGuard(const WallCloud<Dim>& walls, Real spacing);
+    /// Returns the number of particles that were put back.
+    Index keepOut(std::vector<Vec<Dim>>& x) const;
+
+private:
+    CellGrid<Dim> grid_;
+    std::vector<Vec<Dim>> foot_, normal_;   ///< points of the wall surface, one of each particle next to it
+    Real spacing_;
+};
+
+extern template class WallGuard<2>;
+extern template class WallGuard<3>;
+
+}  // namespace isph

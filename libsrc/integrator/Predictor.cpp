@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "integrator/Predictor.hpp"
+
+#include <algorithm>
+
+namespace isph {
+
+namespace {
+constexpr Real kSoilShare = 0.05;   // a particle with more soil around it takes no dissipation
+
+/// Lower bound of (lambda_i + lambda_j)/(2 Dim): sprays have little of a support.  [theory (2.8)]
+constexpr Real kLeastSupport = 0.7;
+
+template <int Dim>
+Real supportFactor(Real lambda_i, Real lambda_j)
+{
+    return 1 / std::max(kLeastSupport, (lambda_i + lambda_j) / (2 * Dim));
+}
+}  // namespace
+
+template <int Dim, class Medium>
+void predict(const Water<Dim>& water, const Medium& medium, const Scheme<Dim>& scheme,
+             const StepWeights& weights, StepFields<Dim>& fields)
+{
+    const Points<Dim>& points = fields.points;
+    const auto& lambda = fields.corrections.lambda;
+    std::vector<Vec<Dim>> v(points.fluid);   // extrapolated to the new time
+    parallelFor(points.water, [&](Index i) {
+        v[i] = medium.porosity(i) * ((1 + weights.ratio) * water.u[i] - weights.ratio * water.uOld[i]);
+    });
+    points.refresh(v);
+    const bool turbulent = !fields.eddyViscosity.empty();
+    const auto viscosity = [&](Index i) {
+        return (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / medium.porosity(i);
+    };
+    fields.v.resize(points.fluid);
+    parallelForDynamic(points.water, [&](Index i) {
+        Vec<Dim> rate;
+        const Real nu_i = viscosity(i);
+        const bool clear_i = medium.share(i) < kSoilShare;
+        fields.pairs.forWater(i, [&](const auto& pair) {
+            const Vec<Dim> v_ij = v[i] - v[pair.j];
+            const Real VF = points.volume[pair.j] * pair.F();
+            const Real nu_j = viscosity(pair.j), both = nu_i + nu_j;
+            if (both > 0)
+                rate -= (VF * 2 * nu_i * nu_j / both * supportFactor<Dim>(lambda[i], lambda[pair.j])) * v_ij;
+            if (clear_i && medium.share(pair.j) < kSoilShare) {
+                const Real approach = dot(v_ij, pair.x_ij);   // (v_ij.e) r
+                const Real r2 = std::max(normSqr(pair.x_ij), 1e-12 * sqr(scheme.spacing));
+                rate -= (2 * VF * scheme.dissipation * std::abs(approach) * approach / r2) * pair.x_ij;
+            }
+        });
+        if (!fields.noSlip.empty())
+            fields.pairs.forWalls(i, [&](const auto& pair) {
+                if (fields.noSlip[pair.j - points.fluid])
+                    rate -= (points.volume[pair.j] * pair.F() * nu_i
+                             * supportFactor<Dim>(lambda[i], lambda[i])) * v[i];
+            });
+        fields.v[i] = medium.porosity(i) * (weights.now() * water.u[i] + weights.before() * water.uOld[i])
+                    + medium.mobility(i) * weights.dtPrime() * rate;
+    });
+    points.refresh(fields.v);
+}
+
+template void predict(const Water<2>&, const ClearWater<2>&, const Scheme<2>&, const StepWeights&, StepFields<2>&);
+template void predict(const Water<3>&, const ClearWater<3>&, const Scheme<3>&, const StepWeights&, StepFields<3>&);
+template void predict(const Water<2>&, const WaterInSoil<2>&, const Scheme<2>&, const StepWeights&, StepFields<2>&);
+template void predict(const Water<3>&, const WaterInSoil<3>&, const Scheme<3>&, const StepWeights&, StepFields<3>&);
+
+}  // namespace isph

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "integrator/StepFields.hpp"
+#include "particles/Particles.hpp"
+
+namespace isph {
+
+/// Velocity before pressure, gravity and drag act:                                      [theory (3.3)]
+///   w_i = eps_i (c0 u_i^n + c1 u_i^(n-1)) + k_i dt' (viscosity + dissipation of the extrapolated v)
+/// viscosity    sum_j V_j nu_ij F_ij (v_j - v_i) 2 Dim/(lambda_i + lambda_j), nu_ij the harmonic mean of
+///              (nu + nu_T)/eps; walls take part where they do not slip.
+/// dissipation  - sum_j 2 V_j F_ij c_r |v_ij.x_ij| (v_ij.e_ij) e_ij, quadratic in velocity differences; not
+///              across or in soil, whose drag needs no help.                             [theory (7.3)]
+/// out          fields.v of water and images.
+template <int Dim, class Medium>
+void predict(const Water<Dim>& water, const Medium& medium, const Scheme<Dim>& scheme,
+             const StepWeights& weights, StepFields<Dim>& fields);
+
+}  // namespace isph

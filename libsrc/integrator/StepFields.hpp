@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one step computes from the particles and the next step computes anew.
+#pragma once
+#include "boundaries/FreeSurface.hpp"
+#include "integrator/Scheme.hpp"
+#include "porous/Medium.hpp"
+
+#include <vector>
+
+namespace isph {
+
+template <int Dim>
+struct StepFields {
+    Points<Dim> points;
+    PairList<Dim> pairs;
+    Corrections<Dim> corrections;
+    std::vector<SurfaceRole> role;
+    PorousState<Dim> soil;               ///< empty without soil, porosity excepted
+    std::vector<Real> resistance;        ///< r_i [1/s], empty without soil
+    std::vector<Real> eddyViscosity;     ///< nu_T [m2/s], empty when laminar
+    std::vector<Vec<Dim>> v;             ///< Darcy velocity: of the predictor, then of the corrector [m/s]
+    std::vector<Real> p;                 ///< p/rho0 of water and images [m2/s2]
+    std::vector<char> noSlip;            ///< of the wall points, empty where all walls slip
+    std::vector<Real> solidsDivergence;  ///< div q of moving solids [1/s], empty where none moves
+};
+
+}  // namespace isph
