@@ -2,6 +2,7 @@
 #include "output/VtpFile.hpp"
 
 #include "core/Error.hpp"
+#include "output/VtkMessages.hpp"
 #include "output/WholeFile.hpp"
 
 #include <fmt/core.h>
@@ -10,14 +11,10 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkLZ4DataCompressor.h>
-#include <vtkLogger.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLPolyDataReader.h>
@@ -32,63 +29,6 @@ namespace isph {
 static_assert(sizeof(Vector3) == 3 * sizeof(Real), "vectors are handed to VTK as 3 numbers each");
 
 namespace {
-
-/// Collects what VTK says while it lives, instead of printing it.
-class CapturedMessages : public vtkOutputWindow {
-public:
-    static CapturedMessages* New();
-    vtkTypeMacro(CapturedMessages, vtkOutputWindow) void DisplayText(const char* text) override
-    {
-        note(text);
-    }
-    void DisplayErrorText(const char* text) override
-    {
-        failed = true;
-        note(text);
-    }
-    void DisplayWarningText(const char* text) override { note(text); }
-    void DisplayGenericWarningText(const char* text) override { note(text); }
-    void DisplayDebugText(const char*) override {}
-
-    bool failed = false;
-    std::string first;  ///< the first message: later ones follow from it
-
-private:
-    void note(const char* text)
-    {
-        if (!first.empty() || !text) return;
-        first = text;
-        const auto detail = first.find("): ");  // "ERROR: In file.cxx, line 1\nvtkX (0x...): text"
-        if (detail != std::string::npos) first.erase(0, detail + 3);
-        first.erase(first.find_last_not_of(" \n") + 1);
-    }
-};
-vtkStandardNewMacro(CapturedMessages);
-
-/// Puts a CapturedMessages in the place of VTK's output window and log for a scope.
-class Capture {
-public:
-    Capture()
-        : before_(vtkOutputWindow::GetInstance()),
-          verbosity_(vtkLogger::GetCurrentVerbosityCutoff())
-    {
-        vtkOutputWindow::SetInstance(messages_);
-        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-    }
-    ~Capture()
-    {
-        vtkOutputWindow::SetInstance(before_);
-        vtkLogger::SetStderrVerbosity(verbosity_);
-    }
-    Capture(const Capture&) = delete;
-    Capture& operator=(const Capture&) = delete;
-    const CapturedMessages& messages() const { return *messages_.Get(); }
-
-private:
-    vtkSmartPointer<vtkOutputWindow> before_;
-    vtkLogger::Verbosity verbosity_;
-    vtkNew<CapturedMessages> messages_;
-};
 
 void addReals(vtkFieldData& data, const std::string& name, const Real* values, std::size_t tuples,
               int components)
@@ -288,7 +228,7 @@ void writeParticleFile(const std::filesystem::path& file, const ParticleFile& pa
     addPointData(*poly, particles);
     addFieldData(*poly, particles);
 
-    const Capture capture;
+    const VtkMessages messages;
     vtkNew<vtkXMLPolyDataWriter> writer;
     vtkNew<vtkLZ4DataCompressor> lz4;
     writer->SetInputData(poly);
@@ -297,8 +237,8 @@ void writeParticleFile(const std::filesystem::path& file, const ParticleFile& pa
     writer->SetHeaderTypeToUInt64();
     writer->SetCompressor(lz4);
     writer->WriteToOutputStringOn();
-    if (!writer->Write() || capture.messages().failed)
-        throw FatalIOError("cannot write particles: " + capture.messages().first, file.string(), 0);
+    if (!writer->Write() || messages.failed())
+        throw FatalIOError("cannot write particles: " + messages.first(), file.string(), 0);
     writeWholeFile(file, withChecksum(writer->GetOutputString()));
 }
 
@@ -311,7 +251,7 @@ ParticleFile readParticleFile(const std::filesystem::path& file)
         throw FatalIOError("this is no VTK XML poly data file (.vtp)", out.source, 0);
     requireUndamaged(content, "</VTKFile>", out.source);
 
-    const Capture capture;
+    const VtkMessages messages;
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->ReadFromInputStringOn();
     reader->SetInputString(content);
@@ -321,10 +261,9 @@ ParticleFile readParticleFile(const std::filesystem::path& file)
         throw FatalIOError(std::string("cannot read particles: ") + error.what(), out.source, 0);
     }
     vtkPolyData* poly = reader->GetOutput();
-    if (capture.messages().failed || reader->GetErrorCode() != 0 || !poly)
-        throw FatalIOError(
-            "cannot read particles, the file is damaged: " + capture.messages().first, out.source,
-            0);
+    if (messages.failed() || reader->GetErrorCode() != 0 || !poly)
+        throw FatalIOError("cannot read particles, the file is damaged: " + messages.first(),
+                           out.source, 0);
 
     out.points.resize(static_cast<std::size_t>(poly->GetNumberOfPoints()));
     for (std::size_t i = 0; i < out.size(); ++i)
