@@ -19,7 +19,7 @@ struct WallCloud {
 };
 
 /// Lays the points of a step: [water | images | walls]. `porosity` is that of the water particles;
-/// h = h0/eps^(1/D), volume = d0^D/eps.                                            [theory (2.3)]
+/// h = h0/eps^(1/D), volume = d0^D/eps.                                            [theory (2.11)]
 template <int Dim>
 void layPoints(const Water<Dim>& water, Span<const Real> porosity, const WallCloud<Dim>& walls,
                const PeriodicBox<Dim>& box, Real spacing, Real h0, Real support, Points<Dim>& points);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When water takes a grain away from the bed.                                         [theory (6.1)]
+// When water takes a grain away from the bed.                                         [theory 9]
 #pragma once
 #include "core/Types.hpp"
 #include "selection/ModelTable.hpp"

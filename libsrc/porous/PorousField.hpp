@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Porosity and resistance at the water particles, from the soil particles around them.  [theory (4.3)-(4.7)]
+// Porosity and resistance at the water particles, from the soil particles around them.  [theory (4.10)-(4.14)]
 #pragma once
 #include "boundaries/PointCloud.hpp"
 #include "kernels/Kernel.hpp"

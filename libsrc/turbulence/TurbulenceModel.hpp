@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eddy viscosity of the free water.                                                   [theory (5.1)]
+// Eddy viscosity of the free water.                                                   [theory 8]
 #pragma once
 #include "core/Types.hpp"
 #include "selection/ModelTable.hpp"

@@ -11,7 +11,7 @@
 namespace isph {
 namespace {
 
-/// Balance of drag, lift, friction and submerged weight of one grain.    [theory (6.2), paper (18), (19)]
+/// Balance of drag, lift, friction and submerged weight of one grain.    [theory (9.1), paper (18), (19)]
 ///   u^2 = 2 A3 (muF cos theta - sin theta) (rhoS/rho - 1) g d / ((CD + muF CL) A2)
 /// theta > 0 where the flow runs downslope, so that one formula is both of the paper's. With
 /// muF = tan phi the factor of the slope is sin(phi - theta)/sin(phi) of the level bed. At the angle of

@@ -10,7 +10,7 @@
 namespace isph {
 namespace {
 
-/// Eddies smaller than the spacing, in equilibrium with the strain they see.   [theory (5.2), (5.3)]
+/// Eddies smaller than the spacing, in equilibrium with the strain they see.   [theory (8.1), (8.2)]
 ///   nuT = (Cs d0)^2 |S| f(eps)                                              [m2/s]
 ///   f = t^2 (3 - 2t),   t = clamp((eps - porosityOff)/(1 - porosityOff), 0, 1)
 /// f is 1 in clear water, 0 in soil up to the porosity porosityOff, and falls smoothly over the outer
