@@ -4,6 +4,7 @@
 #include "pressure/SymmetricMatrix.hpp"
 #include "selection/ModelTable.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace isph {
@@ -15,6 +16,22 @@ struct SolverReport {
     Real finalResidual = 0;      ///< of the true residual b - A x, computed anew
     int iterations = 0;
     bool converged = false;
+    std::string remark{};        ///< what was out of the ordinary; empty: nothing
+};
+
+/// When a solver stops: the keys that every pressure { ... } dictionary has.
+struct SolverControls {
+    Real tolerance = 1e-6;
+    Real relTol = 0;
+    int maxIter = 500;
+
+    /// solver, tolerance, relTol, maxIter; a model adds its own keys to these.
+    static Schema keys();
+    SolverControls() = default;
+    explicit SolverControls(const Dictionary& pressure);
+
+    /// The norm of the residual that is small enough.
+    Real target(Real bNorm, Real initialNorm) const { return std::max(tolerance * bNorm, relTol * initialNorm); }
 };
 
 class PressureSolver {
@@ -27,7 +44,8 @@ public:
 
     virtual ~PressureSolver() = default;
 
-    /// Solves A x = b from the guess in x, to |r| <= max(tolerance |b|, relTol |r0|).
+    /// Solves A x = b from the guess in x, to |r| <= max(tolerance |b|, relTol |r0|). b = 0 gives x = 0.
+    /// Throws FatalError where the matrix, b or the guess hold a number that is not finite.
     virtual SolverReport solve(const SymmetricMatrix& matrix, Span<const Real> b, Span<Real> x) = 0;
     /// Drops whatever is kept from earlier steps, so that a restarted run goes on with the same bits.
     virtual void forget() {}

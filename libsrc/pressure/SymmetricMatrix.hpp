@@ -20,6 +20,12 @@ struct SymmetricMatrix {
 /// y = A x
 void multiply(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y);
 
+/// y = A x; returns x . A x, summed in order.
+Real multiplyAndDot(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y);
+
+/// r = b - A x; returns |r|_2, summed in order.
+Real residual(const SymmetricMatrix& matrix, Span<const Real> x, Span<const Real> b, Span<Real> r);
+
 /// |b - A x|_2, summed in order (the same bits for any number of threads).
 Real residualNorm(const SymmetricMatrix& matrix, Span<const Real> x, Span<const Real> b);
 
