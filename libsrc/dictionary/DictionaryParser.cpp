@@ -2,6 +2,7 @@
 #include "dictionary/DictionaryParser.hpp"
 
 #include "core/Error.hpp"
+#include "core/Log.hpp"
 
 #include <fmt/core.h>
 
@@ -27,16 +28,34 @@ char closing(char open) { return open == '(' ? ')' : open == '[' ? ']' : '}'; }
 
 }  // namespace
 
-DictionaryParser::DictionaryParser(Lexer& lexer, Dictionary& top) : lexer_(lexer), scopes_{&top} {}
+std::string textOfFile(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(file)) throw FatalIOError("cannot open file", file.string(), 0);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+namespace {
+
+/// FoamFile names format, class and object where it is there at all.
+void checkHeader(const Dictionary& top)
+{
+    if (!top.found("FoamFile")) return;
+    const Dictionary& header = top.subDict("FoamFile");
+    header.getChoice("format", {"ascii", "binary"});
+    header.get<std::string>("class");
+    header.get<std::string>("object");
+}
+
+}  // namespace
 
 Dictionary DictionaryParser::readFile(const std::filesystem::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file))
-        throw FatalIOError("cannot open file", file.string(), 0);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return parseText(text.str(), file.string());
+    Dictionary top = parseText(textOfFile(file), file.string());
+    checkHeader(top);
+    return top;
 }
 
 Dictionary DictionaryParser::parseText(std::string_view text, const std::string& name)
@@ -44,8 +63,11 @@ Dictionary DictionaryParser::parseText(std::string_view text, const std::string&
     Dictionary top;
     DictionaryAccess::content(top).name = name;
     DictionaryAccess::content(top).at = {name, 1};
+    ParserState state;
+    state.scopes = {&top};
+    state.files = {std::filesystem::weakly_canonical(name)};
     Lexer lexer(text, name);
-    DictionaryParser(lexer, top).parseBody();
+    DictionaryParser(lexer, state).parseBody();
     return top;
 }
 
@@ -57,7 +79,7 @@ void DictionaryParser::fail(const std::string& message, int line) const
 void DictionaryParser::failUnclosed() const
 {
     std::string message = fmt::format("The '{{' opened in line {} (dictionary \"{}\") is not closed: a '}}' is missing",
-                                      open_.back().line, scopes_.back()->name());
+                                      open_.back().line, state_.scopes.back()->name());
     if (!indentHint_.empty()) message += "\n" + indentHint_;
     fail(message, open_.back().line);
 }
@@ -69,10 +91,17 @@ void DictionaryParser::parseBody()
         switch (lexeme.kind) {
         case Lexeme::Kind::end:
             if (!open_.empty()) failUnclosed();
+            if (!branches_.empty()) fail("The #if is not ended: an #endif is missing", branches_.back().line);
             return;
         case Lexeme::Kind::word:
         case Lexeme::Kind::string:
             parseEntry(std::move(lexeme));
+            break;
+        case Lexeme::Kind::variable:
+            if (!mergeVariable(lexeme)) parseEntry(keyFromVariable(lexeme));
+            break;
+        case Lexeme::Kind::directive:
+            directive(lexeme);
             break;
         default:
             if (lexeme.is(';')) break;
@@ -84,50 +113,81 @@ void DictionaryParser::parseBody()
 
 void DictionaryParser::closeBrace(const Lexeme& brace)
 {
-    const OpenBrace opened = open_.back();
+    const OpenBrace& opened = open_.back();
     if (indentHint_.empty() && brace.line != opened.line && lexer_.indentOf(brace.begin) != opened.indent)
         indentHint_ = fmt::format("By its indentation the '}}' in line {} does not belong to the '{{' in line {} that it closes",
                                   brace.line, opened.line);
     open_.pop_back();
-    scopes_.pop_back();
+    state_.scopes.pop_back();
 }
 
 void DictionaryParser::parseEntry(Lexeme key)
 {
     DictionaryEntry entry{key.text, here(key)};
     if (key.kind == Lexeme::Kind::string) {
+        entry.key = expandText(key.text, key.line, false);
         try {
-            entry.pattern.emplace(key.text);
+            entry.pattern.emplace(entry.key);
         } catch (const std::regex_error& error) {
-            fail(fmt::format("The keyword \"{}\" is not a regular expression: {}", key.text, error.what()), key.line);
+            fail(fmt::format("The keyword \"{}\" is not a regular expression: {}", entry.key, error.what()), key.line);
         }
     }
     if (lexer_.peek().is('{')) {
         parseSubDict(std::move(entry), lexer_.next());
         return;
     }
-    entry.tokens = parseValue(key);
-    DictionaryAccess::content(current()).put(std::move(entry));
+    if (lexer_.peek().kind == Lexeme::Kind::variable) {
+        const Lexeme variable = lexer_.next();
+        if (copyDict(entry, variable)) return;
+        appendVariable(entry.tokens, variable);
+    }
+    parseValue(entry.tokens, key);
+    place(std::move(entry));
+}
+
+const DictionaryEntry* DictionaryParser::existing(const DictionaryEntry& entry)
+{
+    auto& content = DictionaryAccess::content(current());
+    return entry.pattern ? content.findPattern(entry.key) : content.findExact(entry.key);
+}
+
+/// What #inputMode says to an entry whose keyword is there already.
+bool DictionaryParser::admits(const DictionaryEntry& entry)
+{
+    const DictionaryEntry* old = existing(entry);
+    if (!old || state_.mode == InputMode::merge || state_.mode == InputMode::overwrite) return true;
+    const std::string twice = fmt::format("keyword {} of dictionary \"{}\" is set again; it was set in {} at line {}",
+                                          entry.key, current().name(), old->at.file, old->at.line);
+    if (state_.mode == InputMode::error) fail(twice + " (#inputMode error)", entry.at.line);
+    if (state_.mode == InputMode::warn)
+        warning("{}: the first one is kept (#inputMode warn)\nfile: {} at line {}.", twice, entry.at.file, entry.at.line);
+    return false;
+}
+
+void DictionaryParser::place(DictionaryEntry entry)
+{
+    if (admits(entry)) DictionaryAccess::content(current()).put(std::move(entry));
 }
 
 void DictionaryParser::parseSubDict(DictionaryEntry entry, const Lexeme& brace)
 {
-    auto& parent = DictionaryAccess::content(current());
-    const DictionaryEntry* old = entry.pattern ? parent.findPattern(entry.key) : parent.findExact(entry.key);
-    Dictionary* dict = old ? old->dict.get() : nullptr;
+    OpenBrace opened{brace.line, lexer_.indentOf(brace.begin)};
+    const DictionaryEntry* old = existing(entry);
+    Dictionary* dict = old && state_.mode == InputMode::merge ? old->dict.get() : nullptr;
     if (!dict) {
         entry.dict = std::make_unique<Dictionary>();
         DictionaryAccess::content(*entry.dict).name = current().name() + "/" + entry.key;
         DictionaryAccess::content(*entry.dict).at = entry.at;
-        dict = parent.put(std::move(entry)).dict.get();
+        dict = entry.dict.get();
+        if (admits(entry)) DictionaryAccess::content(current()).put(std::move(entry));
+        else opened.discarded = std::move(entry.dict);
     }
-    scopes_.push_back(dict);
-    open_.push_back({brace.line, lexer_.indentOf(brace.begin)});
+    state_.scopes.push_back(dict);
+    open_.push_back(std::move(opened));
 }
 
-std::vector<Token> DictionaryParser::parseValue(const Lexeme& key)
+void DictionaryParser::parseValue(std::vector<Token>& tokens, const Lexeme& key)
 {
-    std::vector<Token> tokens;
     std::vector<Lexeme> opened;
     for (;;) {
         const Lexeme lexeme = lexer_.next();
@@ -135,7 +195,7 @@ std::vector<Token> DictionaryParser::parseValue(const Lexeme& key)
         if (ended && !opened.empty())
             fail(fmt::format("The '{}' opened in line {} (entry '{}') is not closed", opened.back().text,
                              opened.back().line, key.text), opened.back().line);
-        if (opened.empty() && lexeme.is(';')) return tokens;
+        if (opened.empty() && lexeme.is(';')) return;
         if (opened.empty() && (ended || lexeme.is('}') || (lexeme.is('{') && !tokens.empty() && tokens.back().kind != Token::Kind::number)))
             fail(fmt::format("The entry '{}' does not end: a ';' is missing before line {}", key.text, lexeme.line), key.line);
         if (lexeme.is('(') || lexeme.is('[') || lexeme.is('{')) opened.push_back(lexeme);
@@ -150,9 +210,10 @@ std::vector<Token> DictionaryParser::parseValue(const Lexeme& key)
 
 void DictionaryParser::appendValue(std::vector<Token>& tokens, const Lexeme& lexeme)
 {
-    if (lexeme.kind == Lexeme::Kind::variable) fail(fmt::format("Macro ${} is not understood", lexeme.text), lexeme.line);
-    if (lexeme.kind == Lexeme::Kind::directive) fail(fmt::format("Directive #{} is not understood", lexeme.text), lexeme.line);
+    if (lexeme.kind == Lexeme::Kind::variable) return appendVariable(tokens, lexeme);
+    if (lexeme.kind == Lexeme::Kind::directive) return valueDirective(tokens, lexeme);
     tokens.push_back(tokenOf(lexeme, lexer_.file()));
+    if (lexeme.kind == Lexeme::Kind::string) tokens.back().text = expandText(lexeme.text, lexeme.line, false);
 }
 
 }  // namespace isph
