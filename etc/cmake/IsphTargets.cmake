@@ -35,6 +35,7 @@ function(isph_library folder)
         set(scope INTERFACE)
     endif()
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder})
+    set_property(GLOBAL APPEND PROPERTY ISPH_LIBRARIES ${target})
     target_compile_features(${target} ${scope} cxx_std_20)
     target_include_directories(${target} ${scope}
         $<BUILD_INTERFACE:${ISPH_INCLUDE_ROOT}/${folder}> $<INSTALL_INTERFACE:include/isph>)

@@ -60,8 +60,13 @@ std::string environment(const char* name)
 /// The files that `name` may mean, best first, without the system's paths.
 std::vector<fs::path> candidates(const std::string& name)
 {
-    if (name.find('/') != std::string::npos) return {fs::absolute(name)};
     std::vector<fs::path> files;
+    if (name.find('/') != std::string::npos) {
+        files.push_back(fs::absolute(name));
+        const fs::path inCase = fs::path(environment("FOAM_CASE")) / name;
+        if (!environment("FOAM_CASE").empty() && inCase != files.back()) files.push_back(inCase);
+        return files;
+    }
     std::istringstream folders(environment("ISPH_LIBRARY_PATH"));
     for (std::string folder; std::getline(folders, folder, ':');)
         if (!folder.empty()) files.push_back(fs::absolute(folder) / name);

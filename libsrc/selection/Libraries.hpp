@@ -12,8 +12,9 @@ namespace isph {
 std::filesystem::path projectDir();
 
 /// Loads a library by file name or path (dlopen, never closed); a second call does nothing. A name with
-/// a slash is a path; any other is sought in $ISPH_LIBRARY_PATH (folders between colons), in the folder
-/// lib beside the program's, beside the project's own libraries, then on the system's paths.
+/// a slash is a path from the working directory, else from the case ($FOAM_CASE); any other is sought in
+/// $ISPH_LIBRARY_PATH (folders between colons), in the folder lib beside the program's, beside the
+/// project's own libraries, then on the system's paths.
 /// Throws FatalError that lists where it was sought, or with the loader's message, or when what it
 /// registered clashes (same name twice, built for another interface version).
 /// Symbols stay local to the library: two plug-ins that both call a class MyDrag do not mix.
