@@ -64,6 +64,9 @@ public:
     /// The tokens of an entry (macros resolved). Throws "keyword x is undefined in dictionary ...".
     const std::vector<Token>& tokens(std::string_view key) const;
 
+    /// The value as it would be written, strings with their quotes.
+    std::string valueText(std::string_view key) const;
+
     /// Typed look-up. T: Real, int, bool (a switch), std::string (word or string), Vector3,
     /// std::vector<Real>, std::vector<std::string>, std::vector<Vector3>, std::vector<int>.
     /// A value may carry its dimensions ("nu [0 2 -1 0 0 0 0] 1e-6;", "nu [m^2/s] 1e-6;", the old

@@ -49,6 +49,12 @@ void rename(Dictionary& dict, const std::string& name);
 /// "keyword x is undefined in dictionary ..." with the nearest keyword that is there.
 [[noreturn]] void failUndefined(const Dictionary& dict, std::string_view key);
 
+/// "a/b/c" in its parts.
+std::vector<std::string> partsOf(std::string_view path);
+
+/// The text of a file. Throws FatalIOError where it cannot be read.
+std::string textOfFile(const std::filesystem::path& file);
+
 /// The tokens as they would be written.
 std::string textOf(const std::vector<Token>& tokens);
 std::string textOf(const Token& token);

@@ -99,7 +99,4 @@ private:
     std::string indentHint_;   ///< a closing brace that stands at another indent than its opening one
 };
 
-/// The text of a file. Throws FatalIOError where it cannot be read.
-std::string textOfFile(const std::filesystem::path& file);
-
 }  // namespace isph

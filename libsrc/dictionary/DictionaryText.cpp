@@ -38,6 +38,8 @@ bool joined(const std::vector<Token>& tokens, std::size_t k)
     return counted || uniform || opens(tokens[k - 1]) || closes(tokens[k]);
 }
 
+}  // namespace
+
 std::vector<std::string> partsOf(std::string_view path)
 {
     std::vector<std::string> parts;
@@ -48,8 +50,6 @@ std::vector<std::string> partsOf(std::string_view path)
     }
     return parts;
 }
-
-}  // namespace
 
 std::string textOf(const Token& token)
 {
@@ -66,6 +66,11 @@ std::string textOf(const std::vector<Token>& tokens)
         text += textOf(tokens[k]);
     }
     return text;
+}
+
+std::string Dictionary::valueText(std::string_view key) const
+{
+    return isDict(key) ? "{\n" + subDict(key).toString(1) + "}" : textOf(tokens(key));
 }
 
 std::string Dictionary::toString(int indent) const
