@@ -49,7 +49,31 @@ TEST(Cholmod, SolvesInOneIterationWhateverChangedSinceTheLastStep)
     }
 }
 
-TEST(Cholmod, OrdersAnewWhereParticlesWereRenumbered)
+TEST(Cholmod, NoticesOtherColumnsInRowsOfTheSameLength)
+{
+    // rings: row i is coupled to i +- 1 and i +- stride, so rows of all rings have four entries
+    const auto ring = [](std::size_t n, std::size_t stride) {
+        ParticleSystem s{{}, {}, std::vector<Real>(n, 0)};
+        s.matrix.diagonal.assign(n, 4.01);
+        for (std::size_t i = 0; i < n; ++i) {
+            s.b[i] = std::sin(0.01 * static_cast<Real>(sqr(static_cast<Real>(i))));
+            for (const std::size_t j : {i + 1, i + n - 1, i + stride, i + n - stride})
+                s.matrix.column.push_back(static_cast<Index>(j % n));
+            std::sort(s.matrix.column.end() - 4, s.matrix.column.end());
+            s.matrix.rowStart.push_back(static_cast<PairIndex>(s.matrix.column.size()));
+        }
+        s.matrix.offDiagonal.assign(s.matrix.column.size(), -1);
+        return s;
+    };
+    const auto solver = solverOf("solver cholmod; tolerance 1e-9;");
+    for (const std::size_t stride : {50, 7, 300}) {
+        const SolverReport report = solveFromZero(*solver, ring(3000, stride));
+        EXPECT_TRUE(report.converged) << stride;
+        EXPECT_EQ(report.iterations, 1) << stride;
+    }
+}
+
+TEST(Cholmod, SolvesAlsoWhereParticlesWereRenumbered)
 {
     const ParticleSystem s = particleSystem(Scene(50, 40));
     const std::size_t n = s.b.size();
