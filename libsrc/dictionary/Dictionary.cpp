@@ -32,8 +32,9 @@ DictionaryEntry* Dictionary::Content::findExact(std::string_view key)
 
 const DictionaryEntry* Dictionary::Content::findPattern(const std::string& text) const
 {
-    const auto it = std::find_if(entries.begin(), entries.end(),
-                                 [&](const DictionaryEntry& e) { return e.pattern && e.key == text; });
+    const auto it = std::find_if(entries.begin(), entries.end(), [&](const DictionaryEntry& e) {
+        return e.pattern && e.key == text;
+    });
     return it == entries.end() ? nullptr : &*it;
 }
 
@@ -73,7 +74,8 @@ void mergeInto(Dictionary& target, const Dictionary& source)
 {
     auto& into = DictionaryAccess::content(target);
     for (const DictionaryEntry& entry : DictionaryAccess::content(source).entries) {
-        const DictionaryEntry* old = entry.pattern ? into.findPattern(entry.key) : into.findExact(entry.key);
+        const DictionaryEntry* old =
+            entry.pattern ? into.findPattern(entry.key) : into.findExact(entry.key);
         if (old && old->dict && entry.dict) {
             mergeInto(*old->dict, *entry.dict);
             continue;
@@ -102,7 +104,8 @@ Dictionary::Dictionary(const Dictionary& other) : Dictionary()
     content_->at = other.content_->at;
     content_->exact = other.content_->exact;
     content_->entries.reserve(other.content_->entries.size());
-    for (const DictionaryEntry& entry : other.content_->entries) content_->entries.push_back(entry.clone());
+    for (const DictionaryEntry& entry : other.content_->entries)
+        content_->entries.push_back(entry.clone());
 }
 
 Dictionary& Dictionary::operator=(const Dictionary& other)
@@ -111,14 +114,20 @@ Dictionary& Dictionary::operator=(const Dictionary& other)
     return *this;
 }
 
-const std::string& Dictionary::name() const { return content_->name; }
+const std::string& Dictionary::name() const
+{
+    return content_->name;
+}
 
 std::string Dictionary::scopeName() const
 {
     return content_->name.substr(content_->name.find_last_of('/') + 1);
 }
 
-Location Dictionary::location() const { return content_->at; }
+Location Dictionary::location() const
+{
+    return content_->at;
+}
 
 Location Dictionary::location(std::string_view key) const
 {
@@ -134,7 +143,10 @@ std::vector<std::string> Dictionary::keywords() const
     return keys;
 }
 
-bool Dictionary::found(std::string_view key) const { return content_->find(key) != nullptr; }
+bool Dictionary::found(std::string_view key) const
+{
+    return content_->find(key) != nullptr;
+}
 
 bool Dictionary::isDict(std::string_view key) const
 {
@@ -153,7 +165,8 @@ const Dictionary& Dictionary::subDict(std::string_view key) const
     const DictionaryEntry* entry = content_->find(key);
     if (!entry) failUndefined(*this, key);
     if (!entry->dict)
-        fail(key, fmt::format("'{}' in dictionary \"{}\" is not a sub-dictionary: expected '{{ ... }}', found '{}'",
+        fail(key, fmt::format("'{}' in dictionary \"{}\" is not a sub-dictionary: expected '{{ ... "
+                              "}}', found '{}'",
                               key, name(), textOf(entry->tokens)));
     return *entry->dict;
 }
@@ -163,7 +176,8 @@ const std::vector<Token>& Dictionary::tokens(std::string_view key) const
     const DictionaryEntry* entry = content_->find(key);
     if (!entry) failUndefined(*this, key);
     if (entry->dict)
-        fail(key, fmt::format("'{}' in dictionary \"{}\" is a sub-dictionary: expected a value", key, name()));
+        fail(key, fmt::format("'{}' in dictionary \"{}\" is a sub-dictionary: expected a value",
+                              key, name()));
     return entry->tokens;
 }
 
@@ -175,13 +189,18 @@ void Dictionary::fail(std::string_view key, const std::string& message) const
 
 void failUndefined(const Dictionary& dict, std::string_view key)
 {
-    std::string message = fmt::format("keyword {} is undefined in dictionary \"{}\"", key, dict.name());
+    std::string message =
+        fmt::format("keyword {} is undefined in dictionary \"{}\"", key, dict.name());
     const std::string near = nearestName(key, dict.keywords());
-    if (!near.empty()) message += fmt::format("\nDid you mean '{}' (line {})?", near, dict.location(near).line);
+    if (!near.empty())
+        message += fmt::format("\nDid you mean '{}' (line {})?", near, dict.location(near).line);
     dict.fail(key, message);
 }
 
-Dictionary Dictionary::read(const std::filesystem::path& file) { return DictionaryParser::readFile(file); }
+Dictionary Dictionary::read(const std::filesystem::path& file)
+{
+    return DictionaryParser::readFile(file);
+}
 
 Dictionary Dictionary::parse(std::string_view text, const std::string& name)
 {

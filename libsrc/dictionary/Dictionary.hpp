@@ -25,8 +25,8 @@ struct Location {
 struct Token {
     enum class Kind { word, string, number, punctuation, verbatim };
     Kind kind;
-    std::string text;    ///< as written, strings without their quotes
-    double number = 0;   ///< of kind number
+    std::string text;   ///< as written, strings without their quotes
+    double number = 0;  ///< of kind number
     Location at;
 };
 
@@ -55,11 +55,11 @@ public:
 
     /// Keywords in the order of the file, patterns included (with their quotes).
     std::vector<std::string> keywords() const;
-    bool found(std::string_view key) const;    ///< exact key, else a pattern that matches
+    bool found(std::string_view key) const;  ///< exact key, else a pattern that matches
     bool isDict(std::string_view key) const;
     /// A macro used this entry: a variable of the user's, not a misspelled keyword.
     bool isUsedByMacro(std::string_view key) const;
-    const Dictionary& subDict(std::string_view key) const;   ///< throws if missing or no dictionary
+    const Dictionary& subDict(std::string_view key) const;  ///< throws if missing or no dictionary
 
     /// The tokens of an entry (macros resolved). Throws "keyword x is undefined in dictionary ...".
     const std::vector<Token>& tokens(std::string_view key) const;
@@ -74,7 +74,8 @@ public:
     template <class T>
     T get(std::string_view key, const Dimensions& expected = dims::none) const;
     template <class T>
-    T getOrDefault(std::string_view key, const T& otherwise, const Dimensions& expected = dims::none) const
+    T getOrDefault(std::string_view key, const T& otherwise,
+                   const Dimensions& expected = dims::none) const
     {
         return found(key) ? get<T>(key, expected) : otherwise;
     }
@@ -95,7 +96,7 @@ public:
     std::string toString(int indent = 0) const;
 
 private:
-    friend struct DictionaryAccess;   // of the parser and the schemas, in this folder
+    friend struct DictionaryAccess;  // of the parser and the schemas, in this folder
     struct Content;
     std::unique_ptr<Content> content_;
 };
@@ -105,9 +106,13 @@ extern template int Dictionary::get<int>(std::string_view, const Dimensions&) co
 extern template bool Dictionary::get<bool>(std::string_view, const Dimensions&) const;
 extern template std::string Dictionary::get<std::string>(std::string_view, const Dimensions&) const;
 extern template Vector3 Dictionary::get<Vector3>(std::string_view, const Dimensions&) const;
-extern template std::vector<Real> Dictionary::get<std::vector<Real>>(std::string_view, const Dimensions&) const;
-extern template std::vector<int> Dictionary::get<std::vector<int>>(std::string_view, const Dimensions&) const;
-extern template std::vector<std::string> Dictionary::get<std::vector<std::string>>(std::string_view, const Dimensions&) const;
-extern template std::vector<Vector3> Dictionary::get<std::vector<Vector3>>(std::string_view, const Dimensions&) const;
+extern template std::vector<Real> Dictionary::get<std::vector<Real>>(std::string_view,
+                                                                     const Dimensions&) const;
+extern template std::vector<int> Dictionary::get<std::vector<int>>(std::string_view,
+                                                                   const Dimensions&) const;
+extern template std::vector<std::string> Dictionary::get<std::vector<std::string>>(
+    std::string_view, const Dimensions&) const;
+extern template std::vector<Vector3> Dictionary::get<std::vector<Vector3>>(std::string_view,
+                                                                           const Dimensions&) const;
 
 }  // namespace isph

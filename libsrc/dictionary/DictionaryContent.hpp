@@ -10,7 +10,7 @@
 namespace isph {
 
 struct DictionaryEntry {
-    std::string key;                     ///< patterns without their quotes
+    std::string key;  ///< patterns without their quotes
     Location at{};
     std::vector<Token> tokens{};
     std::unique_ptr<Dictionary> dict{};  ///< set where the entry is a sub-dictionary
@@ -24,12 +24,14 @@ struct Dictionary::Content {
     std::string name;
     Location at;
     std::vector<DictionaryEntry> entries;
-    std::map<std::string, std::size_t, std::less<>> exact;   ///< of the entries that are no patterns
+    std::map<std::string, std::size_t, std::less<>> exact;  ///< of the entries that are no patterns
 
     const DictionaryEntry* findExact(std::string_view key) const;
     DictionaryEntry* findExact(std::string_view key);
-    const DictionaryEntry* findPattern(const std::string& text) const;   ///< the entry written as this pattern
-    const DictionaryEntry* find(std::string_view key) const;   ///< exact, else the last pattern that matches
+    const DictionaryEntry* findPattern(
+        const std::string& text) const;  ///< the entry written as this pattern
+    const DictionaryEntry* find(
+        std::string_view key) const;  ///< exact, else the last pattern that matches
     /// Replaces an entry of the same key in its place (a pattern goes to the end), else appends.
     DictionaryEntry& put(DictionaryEntry entry);
     void erase(const DictionaryEntry* entry);
@@ -48,6 +50,9 @@ void rename(Dictionary& dict, const std::string& name);
 
 /// "keyword x is undefined in dictionary ..." with the nearest keyword that is there.
 [[noreturn]] void failUndefined(const Dictionary& dict, std::string_view key);
+
+/// Throws where the value carries dimensions that are not the required ones.
+void checkDimensions(const Dictionary& dict, std::string_view key, const Dimensions& required);
 
 /// "a/b/c" in its parts.
 std::vector<std::string> partsOf(std::string_view path);

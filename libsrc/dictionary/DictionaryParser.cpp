@@ -24,14 +24,18 @@ Token tokenOf(const Lexeme& lexeme, const std::string& file)
     return {kind, lexeme.text, lexeme.number, {file, lexeme.line}};
 }
 
-char closing(char open) { return open == '(' ? ')' : open == '[' ? ']' : '}'; }
+char closing(char open)
+{
+    return open == '(' ? ')' : open == '[' ? ']' : '}';
+}
 
 }  // namespace
 
 std::string textOfFile(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file)) throw FatalIOError("cannot open file", file.string(), 0);
+    if (!stream || std::filesystem::is_directory(file))
+        throw FatalIOError("cannot open file", file.string(), 0);
     std::ostringstream text;
     text << stream.rdbuf();
     return text.str();
@@ -78,8 +82,9 @@ void DictionaryParser::fail(const std::string& message, int line) const
 
 void DictionaryParser::failUnclosed() const
 {
-    std::string message = fmt::format("The '{{' opened in line {} (dictionary \"{}\") is not closed: a '}}' is missing",
-                                      open_.back().line, state_.scopes.back()->name());
+    std::string message = fmt::format(
+        "The '{{' opened in line {} (dictionary \"{}\") is not closed: a '}}' is missing",
+        open_.back().line, state_.scopes.back()->name());
     if (!indentHint_.empty()) message += "\n" + indentHint_;
     fail(message, open_.back().line);
 }
@@ -89,24 +94,27 @@ void DictionaryParser::parseBody()
     for (;;) {
         Lexeme lexeme = lexer_.next();
         switch (lexeme.kind) {
-        case Lexeme::Kind::end:
-            if (!open_.empty()) failUnclosed();
-            if (!branches_.empty()) fail("The #if is not ended: an #endif is missing", branches_.back().line);
-            return;
-        case Lexeme::Kind::word:
-        case Lexeme::Kind::string:
-            parseEntry(std::move(lexeme));
-            break;
-        case Lexeme::Kind::variable:
-            if (!mergeVariable(lexeme)) parseEntry(keyFromVariable(lexeme));
-            break;
-        case Lexeme::Kind::directive:
-            directive(lexeme);
-            break;
-        default:
-            if (lexeme.is(';')) break;
-            if (lexeme.is('}') && !open_.empty()) closeBrace(lexeme);
-            else fail(fmt::format("Expected a keyword, found '{}'", lexeme.text), lexeme.line);
+            case Lexeme::Kind::end:
+                if (!open_.empty()) failUnclosed();
+                if (!branches_.empty())
+                    fail("The #if is not ended: an #endif is missing", branches_.back().line);
+                return;
+            case Lexeme::Kind::word:
+            case Lexeme::Kind::string:
+                parseEntry(std::move(lexeme));
+                break;
+            case Lexeme::Kind::variable:
+                if (!mergeVariable(lexeme)) parseEntry(keyFromVariable(lexeme));
+                break;
+            case Lexeme::Kind::directive:
+                directive(lexeme);
+                break;
+            default:
+                if (lexeme.is(';')) break;
+                if (lexeme.is('}') && !open_.empty())
+                    closeBrace(lexeme);
+                else
+                    fail(fmt::format("Expected a keyword, found '{}'", lexeme.text), lexeme.line);
         }
     }
 }
@@ -114,9 +122,12 @@ void DictionaryParser::parseBody()
 void DictionaryParser::closeBrace(const Lexeme& brace)
 {
     const OpenBrace& opened = open_.back();
-    if (indentHint_.empty() && brace.line != opened.line && lexer_.indentOf(brace.begin) != opened.indent)
-        indentHint_ = fmt::format("By its indentation the '}}' in line {} does not belong to the '{{' in line {} that it closes",
-                                  brace.line, opened.line);
+    if (indentHint_.empty() && brace.line != opened.line &&
+        lexer_.indentOf(brace.begin) != opened.indent)
+        indentHint_ = fmt::format(
+            "By its indentation the '}}' in line {} does not belong to the '{{' in line {} that it "
+            "closes",
+            brace.line, opened.line);
     open_.pop_back();
     state_.scopes.pop_back();
 }
@@ -129,7 +140,9 @@ void DictionaryParser::parseEntry(Lexeme key)
         try {
             entry.pattern.emplace(entry.key);
         } catch (const std::regex_error& error) {
-            fail(fmt::format("The keyword \"{}\" is not a regular expression: {}", entry.key, error.what()), key.line);
+            fail(fmt::format("The keyword \"{}\" is not a regular expression: {}", entry.key,
+                             error.what()),
+                 key.line);
         }
     }
     if (lexer_.peek().is('{')) {
@@ -156,11 +169,13 @@ bool DictionaryParser::admits(const DictionaryEntry& entry)
 {
     const DictionaryEntry* old = existing(entry);
     if (!old || state_.mode == InputMode::merge || state_.mode == InputMode::overwrite) return true;
-    const std::string twice = fmt::format("keyword {} of dictionary \"{}\" is set again; it was set in {} at line {}",
-                                          entry.key, current().name(), old->at.file, old->at.line);
+    const std::string twice =
+        fmt::format("keyword {} of dictionary \"{}\" is set again; it was set in {} at line {}",
+                    entry.key, current().name(), old->at.file, old->at.line);
     if (state_.mode == InputMode::error) fail(twice + " (#inputMode error)", entry.at.line);
     if (state_.mode == InputMode::warn)
-        warning("{}: the first one is kept (#inputMode warn)\nfile: {} at line {}.", twice, entry.at.file, entry.at.line);
+        warning("{}: the first one is kept (#inputMode warn)\nfile: {} at line {}.", twice,
+                entry.at.file, entry.at.line);
     return false;
 }
 
@@ -179,8 +194,10 @@ void DictionaryParser::parseSubDict(DictionaryEntry entry, const Lexeme& brace)
         DictionaryAccess::content(*entry.dict).name = current().name() + "/" + entry.key;
         DictionaryAccess::content(*entry.dict).at = entry.at;
         dict = entry.dict.get();
-        if (admits(entry)) DictionaryAccess::content(current()).put(std::move(entry));
-        else opened.discarded = std::move(entry.dict);
+        if (admits(entry))
+            DictionaryAccess::content(current()).put(std::move(entry));
+        else
+            opened.discarded = std::move(entry.dict);
     }
     state_.scopes.push_back(dict);
     open_.push_back(std::move(opened));
@@ -193,15 +210,21 @@ void DictionaryParser::parseValue(std::vector<Token>& tokens, const Lexeme& key)
         const Lexeme lexeme = lexer_.next();
         const bool ended = lexeme.kind == Lexeme::Kind::end;
         if (ended && !opened.empty())
-            fail(fmt::format("The '{}' opened in line {} (entry '{}') is not closed", opened.back().text,
-                             opened.back().line, key.text), opened.back().line);
+            fail(fmt::format("The '{}' opened in line {} (entry '{}') is not closed",
+                             opened.back().text, opened.back().line, key.text),
+                 opened.back().line);
         if (opened.empty() && lexeme.is(';')) return;
-        if (opened.empty() && (ended || lexeme.is('}') || (lexeme.is('{') && !tokens.empty() && tokens.back().kind != Token::Kind::number)))
-            fail(fmt::format("The entry '{}' does not end: a ';' is missing before line {}", key.text, lexeme.line), key.line);
+        if (opened.empty() &&
+            (ended || lexeme.is('}') ||
+             (lexeme.is('{') && !tokens.empty() && tokens.back().kind != Token::Kind::number)))
+            fail(fmt::format("The entry '{}' does not end: a ';' is missing before line {}",
+                             key.text, lexeme.line),
+                 key.line);
         if (lexeme.is('(') || lexeme.is('[') || lexeme.is('{')) opened.push_back(lexeme);
         if (lexeme.is(')') || lexeme.is(']') || lexeme.is('}')) {
             if (opened.empty() || closing(opened.back().text[0]) != lexeme.text[0])
-                fail(fmt::format("Unexpected '{}' in entry '{}'", lexeme.text, key.text), lexeme.line);
+                fail(fmt::format("Unexpected '{}' in entry '{}'", lexeme.text, key.text),
+                     lexeme.line);
             opened.pop_back();
         }
         appendValue(tokens, lexeme);
@@ -213,7 +236,8 @@ void DictionaryParser::appendValue(std::vector<Token>& tokens, const Lexeme& lex
     if (lexeme.kind == Lexeme::Kind::variable) return appendVariable(tokens, lexeme);
     if (lexeme.kind == Lexeme::Kind::directive) return valueDirective(tokens, lexeme);
     tokens.push_back(tokenOf(lexeme, lexer_.file()));
-    if (lexeme.kind == Lexeme::Kind::string) tokens.back().text = expandText(lexeme.text, lexeme.line, false);
+    if (lexeme.kind == Lexeme::Kind::string)
+        tokens.back().text = expandText(lexeme.text, lexeme.line, false);
 }
 
 }  // namespace isph

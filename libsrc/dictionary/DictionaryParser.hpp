@@ -17,14 +17,15 @@ enum class InputSyntax { both, slash, dot };
 
 /// What a file shares with the files that it includes.
 struct ParserState {
-    std::vector<Dictionary*> scopes{};   ///< the open dictionaries, the top one first
+    std::vector<Dictionary*> scopes{};  ///< the open dictionaries, the top one first
     std::vector<std::filesystem::path> files{};
     InputMode mode = InputMode::merge;
     InputSyntax syntax = InputSyntax::both;
-    std::map<std::filesystem::path, Dictionary> readForMacros{};   ///< of ${file!entry}
+    std::map<std::filesystem::path, Dictionary> readForMacros{};  ///< of ${file!entry}
 };
 
-/// One per file. Grammar in DictionaryParser.cpp, macros in Macros.cpp, directives in Directives.cpp and Includes.cpp.
+/// One per file. Grammar in DictionaryParser.cpp, macros in Macros.cpp, directives in
+/// Directives.cpp and Includes.cpp.
 class DictionaryParser {
 public:
     static Dictionary readFile(const std::filesystem::path& file);
@@ -36,7 +37,7 @@ private:
     struct OpenBrace {
         int line;
         std::size_t indent;
-        std::unique_ptr<Dictionary> discarded{};   ///< what #inputMode protect does not take
+        std::unique_ptr<Dictionary> discarded{};  ///< what #inputMode protect does not take
     };
     struct OpenBranch {
         int line;
@@ -71,7 +72,8 @@ private:
     std::string textArgument(const Lexeme& name);
     [[noreturn]] void failDirective(const Lexeme& name);
     void include(const Lexeme& name);
-    void includeFile(const std::filesystem::path& file, const Lexeme& name, std::vector<Token>* tokens);
+    void includeFile(const std::filesystem::path& file, const Lexeme& name,
+                     std::vector<Token>* tokens);
     void includeAny(const Lexeme& name, std::vector<Token>* tokens);
     void includeFunction(const Lexeme& name);
     void setInputMode(const Lexeme& name);
@@ -96,7 +98,8 @@ private:
     ParserState& state_;
     std::vector<OpenBrace> open_;
     std::vector<OpenBranch> branches_;
-    std::string indentHint_;   ///< a closing brace that stands at another indent than its opening one
+    std::string
+        indentHint_;  ///< a closing brace that stands at another indent than its opening one
 };
 
 }  // namespace isph

@@ -3,8 +3,8 @@
 #include "dictionary/DictionarySource.hpp"
 
 #include "core/Error.hpp"
-#include "dictionary/Lexer.hpp"
 #include "dictionary/DictionaryContent.hpp"
+#include "dictionary/Lexer.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,11 @@
 
 namespace isph {
 
-DictionarySource::DictionarySource(std::string text, std::string name) : text_(std::move(text)), name_(std::move(name)) { parse(); }
+DictionarySource::DictionarySource(std::string text, std::string name)
+    : text_(std::move(text)), name_(std::move(name))
+{
+    parse();
+}
 
 DictionarySource DictionarySource::read(const std::filesystem::path& file)
 {
@@ -37,13 +41,17 @@ std::size_t DictionarySource::parseItems(Lexer& lexer, Item& into, bool nested)
         const Lexeme lexeme = lexer.next();
         if (lexeme.kind == Lexeme::Kind::end) {
             if (nested)
-                throw FatalIOError(fmt::format("The '{{' of '{}' is not closed: a '}}' is missing", into.key), name_, into.line);
+                throw FatalIOError(
+                    fmt::format("The '{{' of '{}' is not closed: a '}}' is missing", into.key),
+                    name_, into.line);
             return lexeme.end;
         }
         if (lexeme.is('}') && nested) return lexeme.end;
         if (lexeme.is(';')) continue;
-        if (lexeme.kind == Lexeme::Kind::punctuation || lexeme.kind == Lexeme::Kind::number || lexeme.kind == Lexeme::Kind::verbatim)
-            throw FatalIOError(fmt::format("Expected a keyword, found '{}'", lexeme.text), name_, lexeme.line);
+        if (lexeme.kind == Lexeme::Kind::punctuation || lexeme.kind == Lexeme::Kind::number ||
+            lexeme.kind == Lexeme::Kind::verbatim)
+            throw FatalIOError(fmt::format("Expected a keyword, found '{}'", lexeme.text), name_,
+                               lexeme.line);
         into.items.push_back(parseItem(lexer, lexeme));
     }
 }
@@ -55,7 +63,8 @@ DictionarySource::Item DictionarySource::parseItem(Lexer& lexer, const Lexeme& f
     item.line = first.line;
     item.begin = first.begin;
     item.end = item.valueBegin = item.valueEnd = first.end;
-    item.isDirective = first.kind == Lexeme::Kind::directive || first.kind == Lexeme::Kind::variable;
+    item.isDirective =
+        first.kind == Lexeme::Kind::directive || first.kind == Lexeme::Kind::variable;
     if (first.kind == Lexeme::Kind::directive) {
         skipDirective(lexer, first, item);
         if (lexer.peek().is(';')) item.end = lexer.next().end;
@@ -76,7 +85,10 @@ DictionarySource::Item DictionarySource::parseItem(Lexer& lexer, const Lexeme& f
         if (lexeme.is('(') || lexeme.is('[') || lexeme.is('{')) ++depth;
         if (lexeme.is(')') || lexeme.is(']') || lexeme.is('}')) --depth;
         if (lexeme.kind == Lexeme::Kind::end || depth < 0)
-            throw FatalIOError(fmt::format("The entry '{}' does not end: a ';' is missing before line {}", item.key, lexeme.line), name_, item.line);
+            throw FatalIOError(
+                fmt::format("The entry '{}' does not end: a ';' is missing before line {}",
+                            item.key, lexeme.line),
+                name_, item.line);
         if (item.valueEnd == first.end) item.valueBegin = lexeme.begin;
         item.valueEnd = lexeme.end;
     }
@@ -90,18 +102,19 @@ void DictionarySource::skipDirective(Lexer& lexer, const Lexeme& name, Item& ite
     if (name.text == "ifeq") arguments = 2;
     for (; arguments > 0; --arguments) {
         Lexeme lexeme = lexer.next();
-        if (lexeme.kind == Lexeme::Kind::directive) {   // #if #calc "..."
+        if (lexeme.kind == Lexeme::Kind::directive) {  // #if #calc "..."
             const bool braces = lexer.peek().is('{');
             lexeme = braces ? lexer.bracedText() : lexer.next();
         }
         item.end = lexeme.end;
-        for (int depth = lexeme.is('(') ? 1 : 0; depth > 0 && lexeme.kind != Lexeme::Kind::end; item.end = lexeme.end) {
+        for (int depth = lexeme.is('(') ? 1 : 0; depth > 0 && lexeme.kind != Lexeme::Kind::end;
+             item.end = lexeme.end) {
             lexeme = lexer.next();
             depth += (lexeme.is('(') ? 1 : 0) - (lexeme.is(')') ? 1 : 0);
         }
     }
     if (name.text != "includeFunc" || !lexer.peek().is('(')) return;
-    for (int depth = 0; depth > 0 || lexer.peek().is('(');) {   // #includeFunc probes (U, p)
+    for (int depth = 0; depth > 0 || lexer.peek().is('(');) {  // #includeFunc probes (U, p)
         const Lexeme lexeme = lexer.next();
         if (lexeme.kind == Lexeme::Kind::end) return;
         depth += (lexeme.is('(') ? 1 : 0) - (lexeme.is(')') ? 1 : 0);
@@ -132,13 +145,17 @@ const DictionarySource::Item& DictionarySource::itemAt(std::string_view path) co
     const Item* match = nullptr;
     for (const Item* dict : occurrences(scope))
         for (const Item& item : dict->items)
-            if (item.key[0] == '"' && std::regex_match(parts.back(), std::regex(item.key.substr(1, item.key.size() - 2)))) match = &item;
+            if (item.key[0] == '"' &&
+                std::regex_match(parts.back(), std::regex(item.key.substr(1, item.key.size() - 2))))
+                match = &item;
     if (!match) failAbsent(parts);
     return *match;
 }
 
-/// Of several occurrences the one that the resolved dictionary takes (branches of #if); the last where it takes none.
-const DictionarySource::Item& DictionarySource::effective(const std::vector<const Item*>& found, const Path& path) const
+/// Of several occurrences the one that the resolved dictionary takes (branches of #if); the last
+/// where it takes none.
+const DictionarySource::Item& DictionarySource::effective(const std::vector<const Item*>& found,
+                                                          const Path& path) const
 {
     if (found.size() == 1) return *found.front();
     try {
@@ -162,9 +179,11 @@ void DictionarySource::failAbsent(const Path& path) const
         for (const Item& item : dict->items)
             if (!item.isDirective) keys.push_back(item.key);
     const std::string near = nearestName(path.back(), keys);
-    throw FatalIOError(fmt::format("Cannot find entry {}{}\n(What macros and #include bring is seen with -expand.)", fmt::join(path, "/"),
-                                   near.empty() ? "" : fmt::format("\nDid you mean '{}'?", near)),
-                       name_, 0);
+    throw FatalIOError(
+        fmt::format(
+            "Cannot find entry {}{}\n(What macros and #include bring is seen with -expand.)",
+            fmt::join(path, "/"), near.empty() ? "" : fmt::format("\nDid you mean '{}'?", near)),
+        name_, 0);
 }
 
 std::vector<std::string> DictionarySource::keywords(std::string_view path) const
@@ -174,14 +193,20 @@ std::vector<std::string> DictionarySource::keywords(std::string_view path) const
     if (found.empty()) failAbsent(parts);
     std::vector<std::string> keys;
     for (const Item* dict : found) {
-        if (!dict->isDict) throw FatalIOError(fmt::format("'{}' is not a dictionary", dict->key), name_, dict->line);
+        if (!dict->isDict)
+            throw FatalIOError(fmt::format("'{}' is not a dictionary", dict->key), name_,
+                               dict->line);
         for (const Item& item : dict->items)
-            if (!item.isDirective && std::find(keys.begin(), keys.end(), item.key) == keys.end()) keys.push_back(item.key);
+            if (!item.isDirective && std::find(keys.begin(), keys.end(), item.key) == keys.end())
+                keys.push_back(item.key);
     }
     return keys;
 }
 
-bool DictionarySource::found(std::string_view path) const { return !occurrences(partsOf(path)).empty(); }
+bool DictionarySource::found(std::string_view path) const
+{
+    return !occurrences(partsOf(path)).empty();
+}
 
 std::string DictionarySource::entryText(std::string_view path) const
 {

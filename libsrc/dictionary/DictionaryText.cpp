@@ -9,7 +9,7 @@ namespace isph {
 
 namespace {
 
-constexpr std::size_t kValueColumn = 16;   ///< where OpenFOAM's writers put the values
+constexpr std::size_t kValueColumn = 16;  ///< where OpenFOAM's writers put the values
 
 std::string quoted(const std::string& text)
 {
@@ -25,16 +25,21 @@ std::string quoted(const std::string& text)
     return out + '"';
 }
 
-bool opens(const Token& token) { return token.kind == Token::Kind::punctuation && (token.text == "(" || token.text == "["); }
+bool opens(const Token& token)
+{
+    return token.kind == Token::Kind::punctuation && (token.text == "(" || token.text == "[");
+}
 bool closes(const Token& token)
 {
-    return token.kind == Token::Kind::punctuation && (token.text == ")" || token.text == "]" || token.text == ";" || token.text == ",");
+    return token.kind == Token::Kind::punctuation &&
+           (token.text == ")" || token.text == "]" || token.text == ";" || token.text == ",");
 }
 /// No space between these two: inside brackets and in the count of 3(a b c) and 2{0.5}.
 bool joined(const std::vector<Token>& tokens, std::size_t k)
 {
     const bool uniform = tokens.size() == 4 && tokens[1].text == "{";
-    const bool counted = k == 1 && tokens[0].kind == Token::Kind::number && (uniform || opens(tokens[1]));
+    const bool counted =
+        k == 1 && tokens[0].kind == Token::Kind::number && (uniform || opens(tokens[1]));
     return counted || uniform || opens(tokens[k - 1]) || closes(tokens[k]);
 }
 
@@ -80,10 +85,13 @@ std::string Dictionary::toString(int indent) const
     for (const DictionaryEntry& entry : content_->entries) {
         const std::string key = entry.pattern ? quoted(entry.key) : entry.key;
         if (entry.dict) {
-            text += margin + key + "\n" + margin + "{\n" + entry.dict->toString(indent + 1) + margin + "}\n";
+            text += margin + key + "\n" + margin + "{\n" + entry.dict->toString(indent + 1) +
+                    margin + "}\n";
         } else {
             const std::size_t pad = std::max(kValueColumn, key.size() + 1) - key.size();
-            text += margin + key + (entry.tokens.empty() ? "" : std::string(pad, ' ') + textOf(entry.tokens)) + ";\n";
+            text += margin + key +
+                    (entry.tokens.empty() ? "" : std::string(pad, ' ') + textOf(entry.tokens)) +
+                    ";\n";
         }
     }
     return text;
@@ -94,20 +102,24 @@ void Dictionary::set(std::string_view path, const std::string& value)
     const std::vector<std::string> parts = partsOf(path);
     if (parts.empty()) throw FatalError("A dictionary entry needs a keyword");
     std::string text = parts.back() + " " + value;
-    if (value.find_first_not_of(" \t\n") == std::string::npos || value[value.find_first_not_of(" \t\n")] != '{') text += ";";
+    if (value.find_first_not_of(" \t\n") == std::string::npos ||
+        value[value.find_first_not_of(" \t\n")] != '{')
+        text += ";";
     for (std::size_t k = parts.size() - 1; k-- > 0;) text = parts[k] + " { " + text + " }";
     const Dictionary change = Dictionary::parse(text, name());
     const Dictionary* from = &change;
     Dictionary* into = this;
-    for (std::size_t k = 0; k + 1 < parts.size(); ++k) {   // walk down as far as both agree
+    for (std::size_t k = 0; k + 1 < parts.size(); ++k) {  // walk down as far as both agree
         DictionaryEntry* next = into->content_->findExact(parts[k]);
         if (!next || !next->dict) break;
         into = next->dict.get();
         from = &from->subDict(parts[k]);
     }
     DictionaryEntry entry = from->content_->entries.front().clone();
-    if (const DictionaryEntry* old = into->content_->find(entry.key)) entry.at = old->at;
-    else entry.at = into->content_->at;
+    if (const DictionaryEntry* old = into->content_->find(entry.key))
+        entry.at = old->at;
+    else
+        entry.at = into->content_->at;
     into->content_->put(std::move(entry));
 }
 
@@ -118,8 +130,10 @@ void Dictionary::remove(std::string_view path)
     for (std::size_t k = 0; k < parts.size(); ++k) {
         DictionaryEntry* entry = from->content_->findExact(parts[k]);
         if (!entry || (k + 1 < parts.size() && !entry->dict)) failUndefined(*from, parts[k]);
-        if (k + 1 == parts.size()) from->content_->erase(entry);
-        else from = entry->dict.get();
+        if (k + 1 == parts.size())
+            from->content_->erase(entry);
+        else
+            from = entry->dict.get();
     }
 }
 

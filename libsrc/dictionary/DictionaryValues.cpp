@@ -16,7 +16,10 @@ namespace {
 
 using Tokens = std::span<const Token>;
 
-bool isMark(const Token& token, char mark) { return token.kind == Token::Kind::punctuation && token.text[0] == mark; }
+bool isMark(const Token& token, char mark)
+{
+    return token.kind == Token::Kind::punctuation && token.text[0] == mark;
+}
 
 /// Why a value is not of the type asked for.
 struct Mismatch {
@@ -46,7 +49,8 @@ int take<int>(Tokens& tokens, double scale)
 {
     if (tokens.empty() || tokens[0].kind != Token::Kind::number) expected("a whole number", tokens);
     const Real value = tokens[0].number * scale;
-    if (value != std::floor(value) || std::abs(value) > 2147483647.0) expected("a whole number", tokens);
+    if (value != std::floor(value) || std::abs(value) > 2147483647.0)
+        expected("a whole number", tokens);
     tokens = tokens.subspan(1);
     return static_cast<int>(value);
 }
@@ -66,7 +70,8 @@ bool take<bool>(Tokens& tokens, double)
 template <>
 std::string take<std::string>(Tokens& tokens, double)
 {
-    if (tokens.empty() || tokens[0].kind == Token::Kind::punctuation) expected("a word or a string", tokens);
+    if (tokens.empty() || tokens[0].kind == Token::Kind::punctuation)
+        expected("a word or a string", tokens);
     const std::string text = tokens[0].text;
     tokens = tokens.subspan(1);
     return text;
@@ -81,7 +86,8 @@ Vector3 takeVector(Tokens& tokens, double scale, bool flat)
     if (tokens.empty() || !isMark(tokens[0], '(')) expected(form, all);
     tokens = tokens.subspan(1);
     std::size_t count = 0;
-    while (!tokens.empty() && tokens[0].kind == Token::Kind::number && count < 3) value[count++] = take<Real>(tokens, scale);
+    while (!tokens.empty() && tokens[0].kind == Token::Kind::number && count < 3)
+        value[count++] = take<Real>(tokens, scale);
     if (tokens.empty() || !isMark(tokens[0], ')') || count < (flat ? 2u : 3u)) expected(form, all);
     tokens = tokens.subspan(1);
     return value;
@@ -96,8 +102,10 @@ Vector3 take<Vector3>(Tokens& tokens, double scale)
 template <class T>
 T takeElement(Tokens& tokens, double scale)
 {
-    if constexpr (std::is_same_v<T, Vector3>) return takeVector(tokens, scale, true);
-    else return take<T>(tokens, scale);
+    if constexpr (std::is_same_v<T, Vector3>)
+        return takeVector(tokens, scale, true);
+    else
+        return take<T>(tokens, scale);
 }
 
 /// (a b c), 3(a b c) or 3{a}, with or without "List<scalar>" before it.
@@ -106,7 +114,9 @@ std::vector<T> takeList(Tokens& tokens, double scale)
 {
     const Tokens all = tokens;
     const std::string form = "a list: (a b c), 3(a b c) or 3{a}";
-    if (!tokens.empty() && tokens[0].kind == Token::Kind::word && tokens[0].text.starts_with("List<")) tokens = tokens.subspan(1);
+    if (!tokens.empty() && tokens[0].kind == Token::Kind::word &&
+        tokens[0].text.starts_with("List<"))
+        tokens = tokens.subspan(1);
     int count = -1;
     if (!tokens.empty() && tokens[0].kind == Token::Kind::number) count = take<int>(tokens, 1);
     if (tokens.empty()) expected(form, all);
@@ -115,24 +125,44 @@ std::vector<T> takeList(Tokens& tokens, double scale)
     if (!uniform && !isMark(tokens[0], '(')) expected(form, all);
     const char end = uniform ? '}' : ')';
     tokens = tokens.subspan(1);
-    while (!tokens.empty() && !isMark(tokens[0], end)) values.push_back(takeElement<T>(tokens, scale));
+    while (!tokens.empty() && !isMark(tokens[0], end))
+        values.push_back(takeElement<T>(tokens, scale));
     if (tokens.empty() || (uniform && values.size() != 1)) expected(form, all);
     tokens = tokens.subspan(1);
     if (uniform) values.assign(static_cast<std::size_t>(count), T(values[0]));
     if (count >= 0 && values.size() != static_cast<std::size_t>(count))
-        throw Mismatch{fmt::format("the list has {} elements, not the {} that it announces", values.size(), count)};
+        throw Mismatch{fmt::format("the list has {} elements, not the {} that it announces",
+                                   values.size(), count)};
     return values;
 }
 
-template <> std::vector<Real> take(Tokens& tokens, double scale) { return takeList<Real>(tokens, scale); }
-template <> std::vector<int> take(Tokens& tokens, double scale) { return takeList<int>(tokens, scale); }
-template <> std::vector<std::string> take(Tokens& tokens, double scale) { return takeList<std::string>(tokens, scale); }
-template <> std::vector<Vector3> take(Tokens& tokens, double scale) { return takeList<Vector3>(tokens, scale); }
+template <>
+std::vector<Real> take(Tokens& tokens, double scale)
+{
+    return takeList<Real>(tokens, scale);
+}
+template <>
+std::vector<int> take(Tokens& tokens, double scale)
+{
+    return takeList<int>(tokens, scale);
+}
+template <>
+std::vector<std::string> take(Tokens& tokens, double scale)
+{
+    return takeList<std::string>(tokens, scale);
+}
+template <>
+std::vector<Vector3> take(Tokens& tokens, double scale)
+{
+    return takeList<Vector3>(tokens, scale);
+}
 
-/// Takes "[m^2/s]", with the name of the old form before it, from the front; returns the scale to SI.
+/// Takes "[m^2/s]", with the name of the old form before it, from the front; returns the scale to
+/// SI.
 double takeDimensions(Tokens& tokens, std::string_view key, const Dimensions& required)
 {
-    const bool oldForm = tokens.size() > 2 && tokens[0].kind == Token::Kind::word && isMark(tokens[1], '[');
+    const bool oldForm =
+        tokens.size() > 2 && tokens[0].kind == Token::Kind::word && isMark(tokens[1], '[');
     const Tokens rest = oldForm ? tokens.subspan(1) : tokens;
     if (rest.empty() || !isMark(rest[0], '[')) return 1;
     std::string text;
@@ -141,11 +171,14 @@ double takeDimensions(Tokens& tokens, std::string_view key, const Dimensions& re
     if (!text.empty()) text.pop_back();
     const auto unit = parseUnit(text);
     if (!unit)
-        throw Mismatch{fmt::format("'[{}]' is neither a dimension set like [0 2 -1 0 0 0 0] nor units like [m^2/s], "
-                                   "[kg m^-3], [mm] (names: kg g m s min h K mol A cd Hz N Pa J W rad deg)", text)};
+        throw Mismatch{fmt::format(
+            "'[{}]' is neither a dimension set like [0 2 -1 0 0 0 0] nor units like [m^2/s], "
+            "[kg m^-3], [mm] (names: kg g m s min h K mol A cd Hz N Pa J W rad deg)",
+            text)};
     if (!sameDimensions(unit->dimensions, required))
-        throw Mismatch{fmt::format("The dimensions {} provided do not match the required dimensions {} of '{}'",
-                                   toString(unit->dimensions), toString(required), key)};
+        throw Mismatch{fmt::format(
+            "The dimensions {} provided do not match the required dimensions {} of '{}'",
+            toString(unit->dimensions), toString(required), key)};
     tokens = rest.subspan(k + 1);
     return unit->scale;
 }
@@ -157,24 +190,38 @@ std::string semicolonHint(Tokens left, const Location& at)
     return fmt::format("\nIs a ';' missing before '{}' in line {}?", left[0].text, left[0].at.line);
 }
 
+[[noreturn]] void failValue(const Dictionary& dict, std::string_view key, const std::string& reason)
+{
+    dict.fail(key, fmt::format("keyword {} in dictionary \"{}\" has the value '{}': {}", key,
+                               dict.name(), textOf(dict.tokens(key)), reason));
+}
+
 }  // namespace
+
+void checkDimensions(const Dictionary& dict, std::string_view key, const Dimensions& required)
+{
+    Tokens tokens(dict.tokens(key));
+    try {
+        takeDimensions(tokens, key, required);
+    } catch (const Mismatch& mismatch) {
+        failValue(dict, key, mismatch.reason);
+    }
+}
 
 template <class T>
 T Dictionary::get(std::string_view key, const Dimensions& required) const
 {
-    const std::vector<Token>& all = tokens(key);
-    Tokens left(all);
-    std::string reason, hint;
+    Tokens left(tokens(key));
     try {
         const double scale = takeDimensions(left, key, required);
         T value = take<T>(left, scale);
         if (left.empty()) return value;
-        reason = fmt::format("'{}' follows the value", left[0].text);
-        hint = semicolonHint(left, location(key));
     } catch (const Mismatch& mismatch) {
-        reason = mismatch.reason;
+        failValue(*this, key, mismatch.reason);
     }
-    fail(key, fmt::format("keyword {} in dictionary \"{}\" has the value '{}': {}{}", key, name(), textOf(all), reason, hint));
+    failValue(
+        *this, key,
+        fmt::format("'{}' follows the value{}", left[0].text, semicolonHint(left, location(key))));
 }
 
 template Real Dictionary::get<Real>(std::string_view, const Dimensions&) const;
@@ -182,18 +229,24 @@ template int Dictionary::get<int>(std::string_view, const Dimensions&) const;
 template bool Dictionary::get<bool>(std::string_view, const Dimensions&) const;
 template std::string Dictionary::get<std::string>(std::string_view, const Dimensions&) const;
 template Vector3 Dictionary::get<Vector3>(std::string_view, const Dimensions&) const;
-template std::vector<Real> Dictionary::get<std::vector<Real>>(std::string_view, const Dimensions&) const;
-template std::vector<int> Dictionary::get<std::vector<int>>(std::string_view, const Dimensions&) const;
-template std::vector<std::string> Dictionary::get<std::vector<std::string>>(std::string_view, const Dimensions&) const;
-template std::vector<Vector3> Dictionary::get<std::vector<Vector3>>(std::string_view, const Dimensions&) const;
+template std::vector<Real> Dictionary::get<std::vector<Real>>(std::string_view,
+                                                              const Dimensions&) const;
+template std::vector<int> Dictionary::get<std::vector<int>>(std::string_view,
+                                                            const Dimensions&) const;
+template std::vector<std::string> Dictionary::get<std::vector<std::string>>(
+    std::string_view, const Dimensions&) const;
+template std::vector<Vector3> Dictionary::get<std::vector<Vector3>>(std::string_view,
+                                                                    const Dimensions&) const;
 
-std::string Dictionary::getChoice(std::string_view key, const std::vector<std::string>& allowed) const
+std::string Dictionary::getChoice(std::string_view key,
+                                  const std::vector<std::string>& allowed) const
 {
     const std::string value = get<std::string>(key);
     if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return value;
     const std::string near = nearestName(value, allowed);
-    fail(key, fmt::format("keyword {} in dictionary \"{}\":\n{} is not in enumeration: {}{}", key, name(), value,
-                          listOf(allowed), near.empty() ? "" : "Did you mean '" + near + "'?"));
+    fail(key, fmt::format("keyword {} in dictionary \"{}\":\n{} is not in enumeration: {}{}", key,
+                          name(), value, listOf(allowed),
+                          near.empty() ? "" : "Did you mean '" + near + "'?"));
 }
 
 std::string Dictionary::getChoice(std::string_view key, const std::vector<std::string>& allowed,

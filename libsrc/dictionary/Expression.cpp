@@ -16,21 +16,25 @@ namespace {
 void addFunctions(mu::Parser& parser)
 {
     parser.DefineConst("pi", std::numbers::pi);
-    parser.DefineFun("pow", static_cast<mu::fun_type2>([](double a, double b) { return std::pow(a, b); }));
-    parser.DefineFun("hypot", static_cast<mu::fun_type2>([](double a, double b) { return std::hypot(a, b); }));
+    parser.DefineFun("pow",
+                     static_cast<mu::fun_type2>([](double a, double b) { return std::pow(a, b); }));
+    parser.DefineFun(
+        "hypot", static_cast<mu::fun_type2>([](double a, double b) { return std::hypot(a, b); }));
     parser.DefineFun("sqr", static_cast<mu::fun_type1>([](double a) { return a * a; }));
     parser.DefineFun("mag", static_cast<mu::fun_type1>([](double a) { return std::abs(a); }));
     parser.DefineFun("floor", static_cast<mu::fun_type1>([](double a) { return std::floor(a); }));
     parser.DefineFun("ceil", static_cast<mu::fun_type1>([](double a) { return std::ceil(a); }));
-    parser.DefineFun("degToRad", static_cast<mu::fun_type1>([](double a) { return a * std::numbers::pi / 180; }));
-    parser.DefineFun("radToDeg", static_cast<mu::fun_type1>([](double a) { return a * 180 / std::numbers::pi; }));
+    parser.DefineFun("degToRad", static_cast<mu::fun_type1>(
+                                     [](double a) { return a * std::numbers::pi / 180; }));
+    parser.DefineFun("radToDeg", static_cast<mu::fun_type1>(
+                                     [](double a) { return a * 180 / std::numbers::pi; }));
 }
 
 }  // namespace
 
 double evaluate(const std::string& expression)
 {
-    static const std::regex callOfPi("\\bpi\\(\\)");   // the other dialect's spelling
+    static const std::regex callOfPi("\\bpi\\(\\)");  // the other dialect's spelling
     mu::Parser parser;
     addFunctions(parser);
     int results = 0;

@@ -10,24 +10,26 @@ namespace isph {
 struct Lexeme {
     enum class Kind { word, string, number, punctuation, verbatim, variable, directive, end };
     Kind kind = Kind::end;
-    std::string text;         ///< strings without quotes, variables without $ and ${ }, directives without #
-    double number = 0;        ///< of kind number
-    int line = 0;             ///< where it begins, from 1
-    std::size_t begin = 0;    ///< offsets of its characters in the text, [begin, end)
+    std::string
+        text;  ///< strings without quotes, variables without $ and ${ }, directives without #
+    double number = 0;      ///< of kind number
+    int line = 0;           ///< where it begins, from 1
+    std::size_t begin = 0;  ///< offsets of its characters in the text, [begin, end)
     std::size_t end = 0;
 
     bool is(char mark) const { return kind == Kind::punctuation && text[0] == mark; }
 };
 
-/// Comments are skipped. Words follow OpenFOAM: "div(phi,U)" is one word, "3(a b)" is not; a slash may
-/// stand in a word. Errors: FatalIOError for a comment, string or block that does not end.
+/// Comments are skipped. Words follow OpenFOAM: "div(phi,U)" is one word, "3(a b)" is not; a slash
+/// may stand in a word. Errors: FatalIOError for a comment, string or block that does not end.
 class Lexer {
 public:
     Lexer(std::string_view text, std::string file);
 
     Lexeme next();
     const Lexeme& peek();
-    /// The text between the braces that come next ("{ ... }"), of directives that take an expression.
+    /// The text between the braces that come next ("{ ... }"), of directives that take an
+    /// expression.
     Lexeme bracedText();
     const std::string& file() const { return file_; }
     /// Spaces before the first mark of a line.

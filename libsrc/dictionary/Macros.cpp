@@ -29,14 +29,17 @@ const DictionaryEntry* findOutward(const Scopes& scopes, std::string_view key)
     return nullptr;
 }
 
-/// "a/b/c" or "a.b.c" below a dictionary. Keywords may hold dots themselves, so the longest head is tried first.
+/// "a/b/c" or "a.b.c" below a dictionary. Keywords may hold dots themselves, so the longest head is
+/// tried first.
 const DictionaryEntry* findBelow(const Dictionary& dict, std::string_view path, char separator)
 {
     if (const DictionaryEntry* entry = entryOf(dict, path)) return entry;
-    for (std::size_t k = path.rfind(separator); k != std::string_view::npos && k > 0; k = path.rfind(separator, k - 1)) {
+    for (std::size_t k = path.rfind(separator); k != std::string_view::npos && k > 0;
+         k = path.rfind(separator, k - 1)) {
         const DictionaryEntry* head = entryOf(dict, path.substr(0, k));
         if (!head || !head->dict) continue;
-        if (const DictionaryEntry* entry = findBelow(*head->dict, path.substr(k + 1), separator)) return entry;
+        if (const DictionaryEntry* entry = findBelow(*head->dict, path.substr(k + 1), separator))
+            return entry;
     }
     return nullptr;
 }
@@ -66,28 +69,36 @@ const DictionaryEntry* findSlash(const Scopes& scopes, std::string_view name)
 
 const DictionaryEntry* findDot(const Scopes& scopes, std::string_view name)
 {
-    if (name.starts_with(':') || name.starts_with('^')) return findBelow(*scopes.front(), name.substr(1), '.');
+    if (name.starts_with(':') || name.starts_with('^'))
+        return findBelow(*scopes.front(), name.substr(1), '.');
     if (!name.starts_with('.')) return findScoped(scopes, name, '.');
-    const std::size_t dots = std::min(name.find_first_not_of('.'), name.size());   // one: here, two: the parent
-    return dots > scopes.size() ? nullptr : findBelow(*scopes[scopes.size() - dots], name.substr(dots), '.');
+    const std::size_t dots =
+        std::min(name.find_first_not_of('.'), name.size());  // one: here, two: the parent
+    return dots > scopes.size() ? nullptr
+                                : findBelow(*scopes[scopes.size() - dots], name.substr(dots), '.');
 }
 
 bool isDotSpelling(std::string_view name)
 {
-    return name.starts_with(':') || name.starts_with('^') || (name.starts_with('.') && !name.starts_with("./") && !name.starts_with("../"));
+    return name.starts_with(':') || name.starts_with('^') ||
+           (name.starts_with('.') && !name.starts_with("./") && !name.starts_with("../"));
 }
 
 bool isNameCharacter(char c)
 {
-    return std::isalnum(static_cast<unsigned char>(c)) || std::string_view("_./:!^").find(c) != std::string_view::npos;
+    return std::isalnum(static_cast<unsigned char>(c)) ||
+           std::string_view("_./:!^").find(c) != std::string_view::npos;
 }
 
 /// The tokens of a dictionary's entries, for a dictionary that stands in a list.
 void appendContents(std::vector<Token>& tokens, const Dictionary& dict, const Location& at)
 {
-    const auto mark = [&](const char* text) { tokens.push_back({Token::Kind::punctuation, text, 0, at}); };
+    const auto mark = [&](const char* text) {
+        tokens.push_back({Token::Kind::punctuation, text, 0, at});
+    };
     for (const DictionaryEntry& entry : DictionaryAccess::content(dict).entries) {
-        tokens.push_back({entry.pattern ? Token::Kind::string : Token::Kind::word, entry.key, 0, at});
+        tokens.push_back(
+            {entry.pattern ? Token::Kind::string : Token::Kind::word, entry.key, 0, at});
         if (entry.dict) {
             mark("{");
             appendContents(tokens, *entry.dict, at);
@@ -105,8 +116,9 @@ const DictionaryEntry* DictionaryParser::findInFile(std::string_view file, std::
 {
     const std::filesystem::path path = relativeToThisFile(std::string(file));
     const auto known = state_.readForMacros.find(path);
-    Dictionary& dict = known != state_.readForMacros.end() ? known->second
-                                                           : state_.readForMacros.emplace(path, readFile(path)).first->second;
+    Dictionary& dict = known != state_.readForMacros.end()
+                           ? known->second
+                           : state_.readForMacros.emplace(path, readFile(path)).first->second;
     return findBelow(dict, name.substr(name.starts_with('/') ? 1 : 0), '/');
 }
 
@@ -129,16 +141,21 @@ void DictionaryParser::failUndefinedMacro(const std::string& name, int line)
     for (const Dictionary* scope : state_.scopes)
         for (const std::string& key : scope->keywords()) names.push_back(key);
     const std::string near = nearestName(name, names);
-    fail(fmt::format("Illegal dictionary entry or environment variable name \"{}\" in dictionary \"{}\"{}\n\n"
-                     "Valid dictionary entries are\n\n{}", name, current().name(),
-                     near.empty() ? "" : fmt::format("\nDid you mean '${}'?", near), listOf(names)), line);
+    fail(fmt::format("Illegal dictionary entry or environment variable name \"{}\" in dictionary "
+                     "\"{}\"{}\n\n"
+                     "Valid dictionary entries are\n\n{}",
+                     name, current().name(),
+                     near.empty() ? "" : fmt::format("\nDid you mean '${}'?", near), listOf(names)),
+         line);
 }
 
 /// Variables within the name, as in ${wall${n}}, are put in first.
 std::string DictionaryParser::variableName(const Lexeme& variable)
 {
     if (variable.text.empty()) fail("'$' without a name", variable.line);
-    return variable.text.find('$') == std::string::npos ? variable.text : expandText(variable.text, variable.line, false);
+    return variable.text.find('$') == std::string::npos
+               ? variable.text
+               : expandText(variable.text, variable.line, false);
 }
 
 void DictionaryParser::appendVariable(std::vector<Token>& tokens, const Lexeme& variable)
@@ -146,7 +163,7 @@ void DictionaryParser::appendVariable(std::vector<Token>& tokens, const Lexeme& 
     const std::string name = variableName(variable);
     if (const DictionaryEntry* entry = findMacro(name)) {
         const std::size_t first = tokens.size();
-        if (entry->dict) {   // "( a { $common; } )": the entries bring their own semicolons
+        if (entry->dict) {  // "( a { $common; } )": the entries bring their own semicolons
             appendContents(tokens, *entry->dict, here(variable));
             if (lexer_.peek().is(';')) lexer_.next();
         } else {
@@ -162,7 +179,8 @@ void DictionaryParser::appendVariable(std::vector<Token>& tokens, const Lexeme& 
     const bool single = words.next().kind == Lexeme::Kind::end;
     Token token{Token::Kind::string, value, 0, here(variable)};
     if (single && only.kind == Lexeme::Kind::word) token.kind = Token::Kind::word;
-    if (single && only.kind == Lexeme::Kind::number) token = {Token::Kind::number, only.text, only.number, here(variable)};
+    if (single && only.kind == Lexeme::Kind::number)
+        token = {Token::Kind::number, only.text, only.number, here(variable)};
     tokens.push_back(std::move(token));
 }
 
@@ -173,8 +191,10 @@ bool DictionaryParser::mergeVariable(const Lexeme& variable)
     const std::string name = variableName(variable);
     const DictionaryEntry* entry = findMacro(name);
     if (!entry) failUndefinedMacro(name, variable.line);
-    if (!entry->dict) fail(fmt::format("'${};' takes in a dictionary, but '{}' is none", name, name), variable.line);
-    const Dictionary source = *entry->dict;   // a copy: the target may be its parent
+    if (!entry->dict)
+        fail(fmt::format("'${};' takes in a dictionary, but '{}' is none", name, name),
+             variable.line);
+    const Dictionary source = *entry->dict;  // a copy: the target may be its parent
     for (const DictionaryEntry& one : DictionaryAccess::content(source).entries)
         if (admits(one)) {
             Dictionary part;
@@ -188,8 +208,12 @@ Lexeme DictionaryParser::keyFromVariable(const Lexeme& variable)
 {
     std::vector<Token> tokens;
     appendVariable(tokens, variable);
-    const bool isKey = tokens.size() == 1 && (tokens[0].kind == Token::Kind::word || tokens[0].kind == Token::Kind::string);
-    if (!isKey) fail(fmt::format("'${}' stands for '{}': a keyword is one word", variable.text, textOf(tokens)), variable.line);
+    const bool isKey = tokens.size() == 1 && (tokens[0].kind == Token::Kind::word ||
+                                              tokens[0].kind == Token::Kind::string);
+    if (!isKey)
+        fail(fmt::format("'${}' stands for '{}': a keyword is one word", variable.text,
+                         textOf(tokens)),
+             variable.line);
     Lexeme key = variable;
     key.kind = tokens[0].kind == Token::Kind::word ? Lexeme::Kind::word : Lexeme::Kind::string;
     key.text = tokens[0].text;
@@ -207,8 +231,10 @@ bool DictionaryParser::copyDict(DictionaryEntry& entry, const Lexeme& variable)
     if (!admits(entry)) return true;
     Dictionary part;
     DictionaryAccess::content(part).put(std::move(entry));
-    if (state_.mode == InputMode::overwrite) place(DictionaryAccess::content(part).entries.front().clone());
-    else mergeInto(current(), part);
+    if (state_.mode == InputMode::overwrite)
+        place(DictionaryAccess::content(part).entries.front().clone());
+    else
+        mergeInto(current(), part);
     return true;
 }
 
@@ -219,14 +245,17 @@ std::optional<std::string> DictionaryParser::macroText(const std::string& name, 
     const char* variable = entry ? nullptr : std::getenv(name.c_str());
     if (entry ? entry->dict != nullptr : variable == nullptr) return {};
     const bool single = entry && entry->tokens.size() == 1;
-    const std::string text = single ? entry->tokens[0].text : entry ? textOf(entry->tokens) : variable;
+    const std::string text = single  ? entry->tokens[0].text
+                             : entry ? textOf(entry->tokens)
+                                     : variable;
     double value = 0;
-    const bool negative = expression && spellsNumber(text, value) && value < 0;   // (-2)^2 is not -2^2
+    const bool negative =
+        expression && spellsNumber(text, value) && value < 0;  // (-2)^2 is not -2^2
     return negative ? fmt::format("({})", text) : text;
 }
 
-/// Puts in the variables of a string. "$a/2" means $a where no entry is called "a/2". What names nothing stays in
-/// strings (it may be a regular expression) and is an error in expressions.
+/// Puts in the variables of a string. "$a/2" means $a where no entry is called "a/2". What names
+/// nothing stays in strings (it may be a regular expression) and is an error in expressions.
 std::string DictionaryParser::expandText(const std::string& text, int line, bool expression)
 {
     std::string out;

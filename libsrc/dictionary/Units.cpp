@@ -58,10 +58,12 @@ std::optional<Unit> unitNamed(std::string_view name)
 void multiply(Unit& product, const Unit& factor, double power)
 {
     product.scale *= std::pow(factor.scale, power);
-    for (std::size_t k = 0; k < 7; ++k) product.dimensions.exponent[k] += power * factor.dimensions.exponent[k];
+    for (std::size_t k = 0; k < 7; ++k)
+        product.dimensions.exponent[k] += power * factor.dimensions.exponent[k];
 }
 
-/// Recursive descent over  product = factor { [*] factor | / factor },  factor = (name | 1 | "(" product ")") [^ number]
+/// Recursive descent over  product = factor { [*] factor | / factor },  factor = (name | 1 | "("
+/// product ")") [^ number]
 class UnitReader {
 public:
     explicit UnitReader(std::string_view text) : text_(text) {}
@@ -79,9 +81,11 @@ private:
         Unit result;
         for (bool first = true;; first = false) {
             skip();
-            if (at_ == text_.size() || text_[at_] == ')') return first ? std::nullopt : std::optional(result);
+            if (at_ == text_.size() || text_[at_] == ')')
+                return first ? std::nullopt : std::optional(result);
             double sign = 1;
-            if (!first && (text_[at_] == '/' || text_[at_] == '*')) sign = text_[at_++] == '/' ? -1 : 1;
+            if (!first && (text_[at_] == '/' || text_[at_] == '*'))
+                sign = text_[at_++] == '/' ? -1 : 1;
             const auto next = factor();
             if (!next) return {};
             multiply(result, *next, sign);
@@ -101,12 +105,15 @@ private:
             base = Unit{};
         } else {
             const std::size_t begin = at_;
-            while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_]))) ++at_;
+            while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])))
+                ++at_;
             base = unitNamed(text_.substr(begin, at_ - begin));
         }
         if (!base || at_ == text_.size() || text_[at_] != '^') return base;
         const std::size_t begin = ++at_;
-        while (at_ < text_.size() && std::string_view("+-.0123456789").find(text_[at_]) != std::string_view::npos) ++at_;
+        while (at_ < text_.size() &&
+               std::string_view("+-.0123456789").find(text_[at_]) != std::string_view::npos)
+            ++at_;
         double power = 0;
         if (!spellsNumber(text_.substr(begin, at_ - begin), power)) return {};
         Unit result;
@@ -130,7 +137,8 @@ std::optional<Unit> exponents(std::string_view text)
     std::size_t count = 0;
     for (std::size_t k = text.find_first_not_of(' '); k != std::string_view::npos;) {
         const std::size_t end = std::min(text.find(' ', k), text.size());
-        if (count == 7 || !spellsNumber(text.substr(k, end - k), unit.dimensions.exponent[count++])) return {};
+        if (count == 7 || !spellsNumber(text.substr(k, end - k), unit.dimensions.exponent[count++]))
+            return {};
         k = text.find_first_not_of(' ', end);
     }
     return count == 5 || count == 7 ? std::optional(unit) : std::nullopt;
@@ -149,7 +157,8 @@ std::optional<Unit> parseUnit(std::string_view text)
 bool sameDimensions(const Dimensions& a, const Dimensions& b)
 {
     for (std::size_t k = 0; k < 7; ++k)
-        if (std::abs(a.exponent[k] - b.exponent[k]) > 1e-9) return false;   // m^0.3333333333 counts as a third
+        if (std::abs(a.exponent[k] - b.exponent[k]) > 1e-9)
+            return false;  // m^0.3333333333 counts as a third
     return true;
 }
 

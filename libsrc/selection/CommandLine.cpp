@@ -7,9 +7,9 @@
 #include "dictionary/Dictionary.hpp"
 #include "selection/Libraries.hpp"
 
-#include <boost/program_options.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <boost/program_options.hpp>
 
 #include <array>
 #include <cstdio>
@@ -50,7 +50,10 @@ std::string withoutDashes(const std::string& option)
 
 }  // namespace
 
-std::string programVersion() { return ISPH_VERSION; }
+std::string programVersion()
+{
+    return ISPH_VERSION;
+}
 
 CommandLine::CommandLine(std::string program, std::string description)
     : program_(std::move(program)), description_(std::move(description))
@@ -85,11 +88,15 @@ std::string CommandLine::usage() const
     std::string text = fmt::format("\nUsage: {} [OPTIONS]", program_);
     for (const Item& item : arguments_) text += fmt::format(" <{}>", item.name);
     text += fmt::format("\n\n{}\n\n", description_);
-    for (const Item& item : arguments_) text += fmt::format("  {:<30} {}\n", fmt::format("<{}>", item.name), item.description);
+    for (const Item& item : arguments_)
+        text += fmt::format("  {:<30} {}\n", fmt::format("<{}>", item.name), item.description);
     text += "options:\n";
     for (const Item& item : options_) {
-        const std::string value = item.valueName.empty() || item.valueName[0] == '\'' ? item.valueName : fmt::format("<{}>", item.valueName);
-        text += fmt::format("  {:<30} {}\n", fmt::format("-{} {}", item.name, value), item.description);
+        const std::string value = item.valueName.empty() || item.valueName[0] == '\''
+                                      ? item.valueName
+                                      : fmt::format("<{}>", item.valueName);
+        text +=
+            fmt::format("  {:<30} {}\n", fmt::format("-{} {}", item.name, value), item.description);
     }
     return text + "\n";
 }
@@ -99,7 +106,8 @@ std::string CommandLine::invalidOption(const std::string& name) const
     std::vector<std::string> names;
     for (const Item& item : options_) names.push_back(item.name);
     const std::string near = nearestName(name, names);
-    return fmt::format("Invalid option: -{}{}", name, near.empty() ? "" : fmt::format("\nDid you mean -{}?", near));
+    return fmt::format("Invalid option: -{}{}", name,
+                       near.empty() ? "" : fmt::format("\nDid you mean -{}?", near));
 }
 
 int CommandLine::refuse(const std::string& message) const
@@ -112,8 +120,10 @@ void CommandLine::readWords(const std::vector<std::string>& words)
 {
     po::options_description known;
     for (const Item& item : options_) {
-        if (item.valueName.empty()) known.add_options()(item.name.c_str(), "");
-        else known.add_options()(item.name.c_str(), po::value<std::string>(), "");
+        if (item.valueName.empty())
+            known.add_options()(item.name.c_str(), "");
+        else
+            known.add_options()(item.name.c_str(), po::value<std::string>(), "");
     }
     using namespace po::command_line_style;
     const auto style = allow_long | allow_long_disguise | long_allow_adjacent | long_allow_next;
@@ -126,12 +136,14 @@ void CommandLine::readWords(const std::vector<std::string>& words)
             continue;
         }
         for (const std::string& word : option.value) {
-            if (word.size() > 1 && word[0] == '-') throw Refusal{invalidOption(withoutDashes(word))};
+            if (word.size() > 1 && word[0] == '-')
+                throw Refusal{invalidOption(withoutDashes(word))};
             if (given++ < arguments_.size()) values_[arguments_[given - 1].name] = word;
         }
     }
     if (given != arguments_.size() && !has("help") && !has("version"))
-        throw Refusal{fmt::format("Wrong number of arguments, expected {} found {}", arguments_.size(), given)};
+        throw Refusal{fmt::format("Wrong number of arguments, expected {} found {}",
+                                  arguments_.size(), given)};
 }
 
 std::optional<int> CommandLine::parse(int argc, const char* const* argv)
@@ -142,11 +154,12 @@ std::optional<int> CommandLine::parse(int argc, const char* const* argv)
         readWords(words);
     } catch (const Refusal& refusal) {
         return refuse(refusal.message);
-    } catch (const po::unknown_option& unknown) {   // of two dashes; one dash comes back as a word
+    } catch (const po::unknown_option& unknown) {  // of two dashes; one dash comes back as a word
         return refuse(invalidOption(withoutDashes(unknown.get_option_name())));
     } catch (const po::invalid_command_line_syntax& error) {
         const bool missing = error.kind() == po::invalid_command_line_syntax::missing_parameter;
-        return refuse(fmt::format("Option -{} {}", withoutDashes(error.get_option_name()), missing ? "needs a value" : "takes no value"));
+        return refuse(fmt::format("Option -{} {}", withoutDashes(error.get_option_name()),
+                                  missing ? "needs a value" : "takes no value"));
     } catch (const po::error& error) {
         return refuse(error.what());
     }
@@ -166,8 +179,9 @@ std::optional<int> CommandLine::parse(int argc, const char* const* argv)
 void CommandLine::useCase()
 {
     caseDir_ = fs::absolute(value("case", ".")).lexically_normal();
-    if (!caseDir_.has_filename()) caseDir_ = caseDir_.parent_path();   // "x/." and "x/" mean x
-    if (!fs::is_directory(caseDir_)) throw FatalError(fmt::format("Case directory \"{}\" does not exist", caseDir_.string()));
+    if (!caseDir_.has_filename()) caseDir_ = caseDir_.parent_path();  // "x/." and "x/" mean x
+    if (!fs::is_directory(caseDir_))
+        throw FatalError(fmt::format("Case directory \"{}\" does not exist", caseDir_.string()));
     setenv("FOAM_CASE", caseDir_.c_str(), 1);
     setenv("FOAM_CASENAME", caseDir_.filename().c_str(), 1);
     if (std::getenv("ISPH_PROJECT_DIR")) return;
@@ -181,7 +195,8 @@ void CommandLine::useCase()
 void CommandLine::loadLibraries() const
 {
     if (!has("libs")) return;
-    const Dictionary libs = Dictionary::parse(fmt::format("libs {};", value("libs")), "option -libs");
+    const Dictionary libs =
+        Dictionary::parse(fmt::format("libs {};", value("libs")), "option -libs");
     for (const std::string& name : libs.get<std::vector<std::string>>("libs")) loadLibrary(name);
 }
 
@@ -197,7 +212,8 @@ Real CommandLine::number(const std::string& name, Real otherwise) const
     const std::string text = value(name);
     char* end = nullptr;
     const Real number = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0') throw FatalError(fmt::format("Option -{} is '{}': expected a number", name, text));
+    if (text.empty() || *end != '\0')
+        throw FatalError(fmt::format("Option -{} is '{}': expected a number", name, text));
     return number;
 }
 

@@ -2,11 +2,12 @@
 // The command line of an application: single-dash long options as OpenFOAM has them.
 //
 //     CommandLine line("createParticles", "Fills 0/ from system/particlesDict.");
-//     line.argument("file", "dictionary to read").option("dict", "file", "alternative dictionary").flag("check", "only checks");
-//     if (const auto exitCode = line.parse(argc, argv)) return *exitCode;
-//     line.printBanner();
+//     line.argument("file", "dictionary to read").option("dict", "file", "alternative
+//     dictionary").flag("check", "only checks"); if (const auto exitCode = line.parse(argc, argv))
+//     return *exitCode; line.printBanner();
 //
-// Every application has -case <dir>, -libs '("libX.so")', -noFunctionObjects, -help and -version besides.
+// Every application has -case <dir>, -libs '("libX.so")', -noFunctionObjects, -help and -version
+// besides.
 #pragma once
 #include "core/Types.hpp"
 
@@ -27,11 +28,11 @@ public:
     /// An argument without a dash; all that are declared must be given.
     CommandLine& argument(std::string name, std::string description);
 
-    /// Reads the arguments, sets FOAM_CASE and (where it is unset and can be found) ISPH_PROJECT_DIR in the
-    /// environment, for the macros of dictionaries, and loads the libraries of -libs.
-    /// An exit code where the program is to end at once: after -help and -version (0), after a wrong
-    /// option, which is reported as "Invalid option: -x" with the usage (1). Throws FatalError for a
-    /// case directory that is not there and for libraries that cannot be loaded.
+    /// Reads the arguments, sets FOAM_CASE and (where it is unset and can be found)
+    /// ISPH_PROJECT_DIR in the environment, for the macros of dictionaries, and loads the libraries
+    /// of -libs. An exit code where the program is to end at once: after -help and -version (0),
+    /// after a wrong option, which is reported as "Invalid option: -x" with the usage (1). Throws
+    /// FatalError for a case directory that is not there and for libraries that cannot be loaded.
     std::optional<int> parse(int argc, const char* const* argv);
 
     bool has(const std::string& name) const { return values_.count(name) != 0; }

@@ -17,7 +17,9 @@ using ::testing::internal::GetCapturedStdout;
 CommandLine sample()
 {
     CommandLine line("isphSample", "Does nothing.");
-    line.argument("file", "file to read").option("entry", "path", "entry to print").flag("expand", "expands macros");
+    line.argument("file", "file to read")
+        .option("entry", "path", "entry to print")
+        .flag("expand", "expands macros");
     return line;
 }
 
@@ -55,7 +57,8 @@ TEST(CommandLine, AnUnknownOptionIsNamedWithTheUsageAndExitCodeOne)
     CaptureStderr();
     EXPECT_EQ(parse(line, {"x", "-exapnd"}), 1);
     const std::string text = GetCapturedStderr();
-    EXPECT_NE(text.find("Invalid option: -exapnd\nDid you mean -expand?"), std::string::npos) << text;
+    EXPECT_NE(text.find("Invalid option: -exapnd\nDid you mean -expand?"), std::string::npos)
+        << text;
     EXPECT_NE(text.find("Usage: isphSample [OPTIONS] <file>"), std::string::npos) << text;
 }
 
@@ -80,7 +83,8 @@ TEST(CommandLine, MissingValuesAndArgumentsAreRefused)
     CommandLine none = sample();
     CaptureStderr();
     EXPECT_EQ(parse(none, {}), 1);
-    EXPECT_NE(GetCapturedStderr().find("Wrong number of arguments, expected 1 found 0"), std::string::npos);
+    EXPECT_NE(GetCapturedStderr().find("Wrong number of arguments, expected 1 found 0"),
+              std::string::npos);
     CommandLine two = sample();
     CaptureStderr();
     EXPECT_EQ(parse(two, {"a", "b"}), 1);
@@ -93,7 +97,8 @@ TEST(CommandLine, HelpNamesAllOptionsAndEndsWithZero)
     CaptureStdout();
     EXPECT_EQ(parse(line, {"-help"}), 0);
     const std::string text = GetCapturedStdout();
-    for (const char* option : {"-case <dir>", "-libs '(", "-noFunctionObjects", "-help", "-version", "-entry <path>", "-expand", "Does nothing."})
+    for (const char* option : {"-case <dir>", "-libs '(", "-noFunctionObjects", "-help", "-version",
+                               "-entry <path>", "-expand", "Does nothing."})
         EXPECT_NE(text.find(option), std::string::npos) << option << text;
 }
 
@@ -130,7 +135,9 @@ TEST(CommandLine, TheBannerSaysWhatRunsWhere)
     CaptureStdout();
     line.printBanner();
     const std::string text = GetCapturedStdout();
-    for (const char* part : {"Build  : ", "Exec   : isphSample x -case /tmp\n", "Date   : ", "Time   : ", "Host   : ", "PID    : ", "Case   : /tmp\n", "nProcs : 1"})
+    for (const char* part :
+         {"Build  : ", "Exec   : isphSample x -case /tmp\n",
+          "Date   : ", "Time   : ", "Host   : ", "PID    : ", "Case   : /tmp\n", "nProcs : 1"})
         EXPECT_NE(text.find(part), std::string::npos) << part << text;
 }
 

@@ -32,7 +32,8 @@ Failure failureOf(F&& f)
 inline ::testing::AssertionResult says(const Failure& failure, const std::string& part)
 {
     if (failure.message.find(part) != std::string::npos) return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure() << "'" << part << "' is not in the message '" << failure.message << "'";
+    return ::testing::AssertionFailure()
+           << "'" << part << "' is not in the message '" << failure.message << "'";
 }
 
 }  // namespace isph::testing

@@ -14,7 +14,8 @@ using Words = std::vector<std::string>;
 
 TEST(Macros, TakeTheValueOfThisOrAnEnclosingDictionary)
 {
-    const auto dict = Dictionary::parse("H 0.35; s { H 1; t { a $H; b ${H}; c (0 $H 0); } } d $H; word top; open (left $word);");
+    const auto dict = Dictionary::parse(
+        "H 0.35; s { H 1; t { a $H; b ${H}; c (0 $H 0); } } d $H; word top; open (left $word);");
     const Dictionary& t = dict.subDict("s").subDict("t");
     EXPECT_EQ(t.get<Real>("a"), 1.0) << "the nearest one";
     EXPECT_EQ(t.get<Real>("b"), 1.0);
@@ -54,18 +55,24 @@ TEST(Macros, DotSyntaxReachesParentsTheTopAndSubDictionaries)
 
 TEST(Macros, InputSyntaxAllowsOneSpellingOnly)
 {
-    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("a 1; #inputSyntax slash\ns { b $..a; }"); }), "\"..a\""));
-    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("a 1; #inputSyntax dot\ns { b $../a; }"); }), "\"../a\""));
-    EXPECT_EQ(Dictionary::parse("a 1; #inputSyntax dot\ns { b $..a; }").subDict("s").get<int>("b"), 1);
-    EXPECT_EQ(Dictionary::parse("a 1; #inputSyntax slash\ns { b $../a; }").subDict("s").get<int>("b"), 1);
-    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("#inputSyntax comma"); }), "comma is not in enumeration"));
+    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("a 1; #inputSyntax slash\ns { b $..a; }"); }),
+                     "\"..a\""));
+    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("a 1; #inputSyntax dot\ns { b $../a; }"); }),
+                     "\"../a\""));
+    EXPECT_EQ(Dictionary::parse("a 1; #inputSyntax dot\ns { b $..a; }").subDict("s").get<int>("b"),
+              1);
+    EXPECT_EQ(
+        Dictionary::parse("a 1; #inputSyntax slash\ns { b $../a; }").subDict("s").get<int>("b"), 1);
+    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("#inputSyntax comma"); }),
+                     "comma is not in enumeration"));
 }
 
 TEST(Macros, TheEnvironmentComesAfterTheEntries)
 {
     setenv("ISPH_TEST_NUMBER", "0.25", 1);
     setenv("ISPH_TEST_PATH", "/a b/c", 1);
-    const auto dict = Dictionary::parse(R"(n $ISPH_TEST_NUMBER; p $ISPH_TEST_PATH; f "${ISPH_TEST_PATH}/x.stl"; g "$ISPH_TEST_PATH/y";
+    const auto dict = Dictionary::parse(
+        R"(n $ISPH_TEST_NUMBER; p $ISPH_TEST_PATH; f "${ISPH_TEST_PATH}/x.stl"; g "$ISPH_TEST_PATH/y";
         s { ISPH_TEST_NUMBER 3; n $ISPH_TEST_NUMBER; })");
     EXPECT_EQ(dict.get<Real>("n"), 0.25);
     EXPECT_EQ(dict.get<std::string>("p"), "/a b/c");
@@ -76,7 +83,8 @@ TEST(Macros, TheEnvironmentComesAfterTheEntries)
 
 TEST(Macros, StringsTakeEntriesAndKeepDollarsThatNameNothing)
 {
-    const auto dict = Dictionary::parse(R"--(U0 2; velocity ("$U0*sin(x)" "0" "0"); pattern "(a|b)$"; kept "$nothing ${nothing}";)--");
+    const auto dict = Dictionary::parse(
+        R"--(U0 2; velocity ("$U0*sin(x)" "0" "0"); pattern "(a|b)$"; kept "$nothing ${nothing}";)--");
     EXPECT_EQ(dict.get<Words>("velocity")[0], "2*sin(x)");
     EXPECT_EQ(dict.get<std::string>("pattern"), "(a|b)$");
     EXPECT_EQ(dict.get<std::string>("kept"), "$nothing ${nothing}");
@@ -86,14 +94,17 @@ TEST(Macros, AnUndefinedOneNamesItsLineAndTheNearest)
 {
     const auto failure = failureOf([] { Dictionary::parse("height 1;\n\nb $hieght;", "f"); });
     EXPECT_EQ(failure.line, 3);
-    EXPECT_TRUE(says(failure, "Illegal dictionary entry or environment variable name \"hieght\" in dictionary \"f\""));
+    EXPECT_TRUE(says(
+        failure,
+        "Illegal dictionary entry or environment variable name \"hieght\" in dictionary \"f\""));
     EXPECT_TRUE(says(failure, "Did you mean '$height'?"));
 }
 
 TEST(Macros, ASubDictionaryIsMergedInAndCanBeOverridden)
 {
     const auto dict = Dictionary::parse(R"(base { type box; min (0 0 0); sub { x 1; y 1; } }
-        b { type sphere; $base; min (1 1 1); sub { y 2; } } c $base; c { type box2; })", "f");
+        b { type sphere; $base; min (1 1 1); sub { y 2; } } c $base; c { type box2; })",
+                                        "f");
     const Dictionary& b = dict.subDict("b");
     EXPECT_EQ(b.get<std::string>("type"), "box") << "the later one counts";
     EXPECT_EQ(b.get<Vector3>("min"), (Vector3{1, 1, 1}));
@@ -107,12 +118,14 @@ TEST(Macros, ASubDictionaryIsMergedInAndCanBeOverridden)
 
 TEST(Macros, KeywordsAndNestedNamesCanBeVariables)
 {
-    const auto dict = Dictionary::parse(R"--(name left; $name 1; n 2; wall2 3; v ${wall$n}; "${name}.*" 4; outer { $name { z 5; } })--");
+    const auto dict = Dictionary::parse(
+        R"--(name left; $name 1; n 2; wall2 3; v ${wall$n}; "${name}.*" 4; outer { $name { z 5; } })--");
     EXPECT_EQ(dict.get<int>("left"), 1);
     EXPECT_EQ(dict.get<int>("v"), 3);
     EXPECT_EQ(dict.get<int>("left12"), 4);
     EXPECT_EQ(dict.subDict("outer").subDict("left").get<int>("z"), 5);
-    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("n (1 2); $n 3;"); }), "a keyword is one word"));
+    EXPECT_TRUE(
+        says(failureOf([] { Dictionary::parse("n (1 2); $n 3;"); }), "a keyword is one word"));
 }
 
 TEST(Macros, ADictionaryInAListBringsItsEntries)
@@ -132,9 +145,14 @@ TEST(Macros, AnotherFilesEntryIsNamedByFileAndPath)
 TEST(Macros, TheirSourcesAreNoUnknownKeysToASchema)
 {
     const Schema schema{Key::scalar("nu", "Viscosity.")};
-    EXPECT_EQ(failureOf([&] { schema.check(Dictionary::parse("factor 2; nu $factor;")); }).line, -1);
-    EXPECT_EQ(failureOf([&] { schema.check(Dictionary::parse("factor 2; nu #calc \"3*$factor\";")); }).line, -1);
-    EXPECT_TRUE(says(failureOf([&] { schema.check(Dictionary::parse("factor 2; nu 3;")); }), "Unknown keyword factor"));
+    EXPECT_EQ(failureOf([&] { schema.check(Dictionary::parse("factor 2; nu $factor;")); }).line,
+              -1);
+    EXPECT_EQ(failureOf([&] {
+                  schema.check(Dictionary::parse("factor 2; nu #calc \"3*$factor\";"));
+              }).line,
+              -1);
+    EXPECT_TRUE(says(failureOf([&] { schema.check(Dictionary::parse("factor 2; nu 3;")); }),
+                     "Unknown keyword factor"));
 }
 
 }  // namespace

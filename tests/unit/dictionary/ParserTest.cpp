@@ -29,7 +29,8 @@ TEST(Parser, ReadsWordsNumbersStringsListsAndSubDictionaries)
 
 TEST(Parser, CountsAndRepeatedElementsMakeLists)
 {
-    const auto dict = Dictionary::parse("a 3(1 2 3); b 2{0.5}; c 2{(0 0 1)}; d 0(); e List<scalar> 2(1 2);");
+    const auto dict =
+        Dictionary::parse("a 3(1 2 3); b 2{0.5}; c 2{(0 0 1)}; d 0(); e List<scalar> 2(1 2);");
     EXPECT_EQ(dict.get<std::vector<Real>>("a"), (std::vector<Real>{1, 2, 3}));
     EXPECT_EQ(dict.get<std::vector<Real>>("b"), (std::vector<Real>{0.5, 0.5}));
     EXPECT_EQ(dict.get<std::vector<Vector3>>("c"), (std::vector<Vector3>{{0, 0, 1}, {0, 0, 1}}));
@@ -39,7 +40,8 @@ TEST(Parser, CountsAndRepeatedElementsMakeLists)
 
 TEST(Parser, VerbatimBlocksKeepTheirText)
 {
-    const auto dict = Dictionary::parse("code #{ if (a < b) { return \"x;\"; } // no comment\n #}; next 1;");
+    const auto dict =
+        Dictionary::parse("code #{ if (a < b) { return \"x;\"; } // no comment\n #}; next 1;");
     EXPECT_EQ(dict.get<std::string>("code"), " if (a < b) { return \"x;\"; } // no comment\n ");
     EXPECT_EQ(dict.location("next").line, 2);
 }
@@ -54,7 +56,8 @@ TEST(Parser, StringsKeepBackslashesButNotThoseOfQuotesAndLineEnds)
 
 TEST(Parser, EveryEntryKnowsItsFileAndLine)
 {
-    const auto dict = Dictionary::parse("a 1;\n\n/* x\n */ b\n{\n    c \"s\";\n    d (1\n 2);\n}\ne 1;", "case/system/x");
+    const auto dict = Dictionary::parse(
+        "a 1;\n\n/* x\n */ b\n{\n    c \"s\";\n    d (1\n 2);\n}\ne 1;", "case/system/x");
     EXPECT_EQ(dict.location("a").line, 1);
     EXPECT_EQ(dict.location("b").line, 4);
     EXPECT_EQ(dict.subDict("b").location("c").line, 6);
@@ -67,7 +70,8 @@ TEST(Parser, EveryEntryKnowsItsFileAndLine)
 
 TEST(Parser, LaterEntriesOverrideAndDuplicateSubDictionariesMerge)
 {
-    const auto dict = Dictionary::parse("a 1; s { x 1; y 1; t { u 1; } } b 2; s { y 2; t { v 2; } } a 3;");
+    const auto dict =
+        Dictionary::parse("a 1; s { x 1; y 1; t { u 1; } } b 2; s { y 2; t { v 2; } } a 3;");
     EXPECT_EQ(dict.get<int>("a"), 3);
     EXPECT_EQ(dict.keywords(), (Words{"a", "s", "b"}));
     EXPECT_EQ(dict.subDict("s").get<int>("x"), 1);
@@ -85,12 +89,14 @@ TEST(Parser, AnExactKeyGoesBeforePatternsAndTheLastPatternWins)
     EXPECT_FALSE(dict.found("zz12")) << "the dot is escaped";
     EXPECT_FALSE(dict.found("aq")) << "a pattern matches the whole keyword";
     EXPECT_EQ(dict.keywords(), (Words{"\"p.*\"", "\"(p|q)\"", "p", "\"z\\.[0-9]+\""}));
-    EXPECT_EQ(Dictionary::parse(R"("a.*" 1; "a" 2; "a.*" 3;)").get<int>("a"), 3) << "written again, a pattern is the last";
+    EXPECT_EQ(Dictionary::parse(R"("a.*" 1; "a" 2; "a.*" 3;)").get<int>("a"), 3)
+        << "written again, a pattern is the last";
 }
 
 TEST(Parser, AMissingBraceNamesTheLineOfTheOpenOne)
 {
-    const auto failure = failureOf([] { Dictionary::parse("a 1;\nwalls\n{\n    tank { b 2; }\n", "f"); });
+    const auto failure =
+        failureOf([] { Dictionary::parse("a 1;\nwalls\n{\n    tank { b 2; }\n", "f"); });
     EXPECT_EQ(failure.line, 3);
     EXPECT_TRUE(says(failure, "opened in line 3"));
     EXPECT_TRUE(says(failure, "walls"));
@@ -98,7 +104,8 @@ TEST(Parser, AMissingBraceNamesTheLineOfTheOpenOne)
 
 TEST(Parser, AMissingInnerBraceIsFoundByTheIndentation)
 {
-    const auto failure = failureOf([] { Dictionary::parse("a\n{\n    b\n    {\n        c 1;\n}\nd 1;\n", "f"); });
+    const auto failure =
+        failureOf([] { Dictionary::parse("a\n{\n    b\n    {\n        c 1;\n}\nd 1;\n", "f"); });
     EXPECT_EQ(failure.line, 2) << "by counting braces, the outer one is open";
     EXPECT_TRUE(says(failure, "the '}' in line 6 does not belong to the '{' in line 4"));
 }
@@ -111,12 +118,15 @@ TEST(Parser, UnbalancedAndUnfinishedTextIsRefusedWithItsLine)
     EXPECT_TRUE(says(failureOf([] { Dictionary::parse("a (1 2];"); }), "Unexpected ']'"));
     EXPECT_TRUE(says(failureOf([] { Dictionary::parse("a 1\n"); }), "';' is missing"));
     EXPECT_TRUE(says(failureOf([] { Dictionary::parse("s { a 1 }"); }), "';' is missing"));
-    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("a b\nc { d 1; }"); }), "';' is missing before line 2"));
+    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("a b\nc { d 1; }"); }),
+                     "';' is missing before line 2"));
     EXPECT_EQ(failureOf([] { Dictionary::parse("\n/* a"); }).line, 2);
     EXPECT_EQ(failureOf([] { Dictionary::parse("\na \"b\nc\";"); }).line, 2);
     EXPECT_EQ(failureOf([] { Dictionary::parse("\na #{ b;"); }).line, 2);
-    EXPECT_EQ(failureOf([] { Dictionary::parse("\n\"(a\" 1;"); }).line, 2) << "no regular expression";
-    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("3 4;"); }), "Expected a keyword, found '3'"));
+    EXPECT_EQ(failureOf([] { Dictionary::parse("\n\"(a\" 1;"); }).line, 2)
+        << "no regular expression";
+    EXPECT_TRUE(
+        says(failureOf([] { Dictionary::parse("3 4;"); }), "Expected a keyword, found '3'"));
 }
 
 TEST(Parser, AFileThatIsNotThereIsNamed)
@@ -137,7 +147,9 @@ TEST(Parser, TheCanonicalFormReadsBackAsTheSameDictionary)
     EXPECT_EQ(Dictionary::parse(canonical).get<std::string>("c"), dict.get<std::string>("c"));
     EXPECT_NE(canonical.find("b               (1 2 (3 4));\n"), std::string::npos) << canonical;
     EXPECT_NE(canonical.find("d               3(a b c);\n"), std::string::npos) << canonical;
-    EXPECT_NE(canonical.find("\"w.*\"\n{\n    g               yes;\n    h\n    {\n    }\n}\n"), std::string::npos) << canonical;
+    EXPECT_NE(canonical.find("\"w.*\"\n{\n    g               yes;\n    h\n    {\n    }\n}\n"),
+              std::string::npos)
+        << canonical;
 }
 
 TEST(Dictionary, SetsMakesAndRemovesEntriesByPath)
@@ -155,7 +167,8 @@ TEST(Dictionary, SetsMakesAndRemovesEntriesByPath)
     dict.remove("s/t");
     EXPECT_EQ(dict.subDict("s").keywords(), Words{"b"});
     EXPECT_EQ(dict.subDict("s").get<int>("b"), 2);
-    EXPECT_TRUE(says(failureOf([&] { dict.remove("s/t"); }), "keyword t is undefined in dictionary \"f/s\""));
+    EXPECT_TRUE(says(failureOf([&] { dict.remove("s/t"); }),
+                     "keyword t is undefined in dictionary \"f/s\""));
 }
 
 TEST(Dictionary, ACopyIsIndependentOfItsOriginal)

@@ -23,7 +23,8 @@ Result runProgram(const std::string& arguments)
     FILE* pipe = popen(command.c_str(), "r");
     Result result{-1, ""};
     std::array<char, 4096> block{};
-    for (std::size_t n = 0; (n = fread(block.data(), 1, block.size(), pipe)) > 0;) result.output.append(block.data(), n);
+    for (std::size_t n = 0; (n = fread(block.data(), 1, block.size(), pipe)) > 0;)
+        result.output.append(block.data(), n);
     const int status = pclose(pipe);
     result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return result;
@@ -37,7 +38,9 @@ protected:
         folder_.write("system/controlDict", kText);
         case_ = "-case " + folder_.path().string() + " system/controlDict ";
     }
-    static constexpr const char* kText = "endTime 2; // [s]\nH 0.35;\ns\n{\n    x #calc \"2 * $H\";\n    name \"a b\";\n}\n#include \"more\"\n";
+    static constexpr const char* kText =
+        "endTime 2; // [s]\nH 0.35;\ns\n{\n    x #calc \"2 * $H\";\n    name \"a b\";\n}\n#include "
+        "\"more\"\n";
     testing::TempFolder folder_;
     std::string case_;
 };
@@ -55,10 +58,13 @@ TEST_F(IsphDictionary, ExpandResolvesEverythingInCanonicalForm)
 {
     const Result whole = runProgram(case_ + "-expand");
     EXPECT_EQ(whole.exitCode, 0);
-    EXPECT_EQ(whole.output, "endTime         2;\nH               0.35;\ns\n{\n    x               0.7;\n    name            \"a b\";\n}\nincluded        5;\n");
+    EXPECT_EQ(whole.output,
+              "endTime         2;\nH               0.35;\ns\n{\n    x               0.7;\n    name "
+              "           \"a b\";\n}\nincluded        5;\n");
     EXPECT_EQ(runProgram(case_ + "-expand -entry s/x -value").output, "0.7\n");
     EXPECT_EQ(runProgram(case_ + "-expand -entry included").output, "included        5;\n");
-    EXPECT_EQ(runProgram(case_ + "-expand -entry s").output, "s\n{\n    x               0.7;\n    name            \"a b\";\n}\n");
+    EXPECT_EQ(runProgram(case_ + "-expand -entry s").output,
+              "s\n{\n    x               0.7;\n    name            \"a b\";\n}\n");
     EXPECT_EQ(runProgram(case_ + "-expand -keywords").output, "endTime\nH\ns\nincluded\n");
 }
 
@@ -68,7 +74,8 @@ TEST_F(IsphDictionary, ChangesTheFileInPlace)
     EXPECT_EQ(runProgram(case_ + "-entry s/v -add '(0 0 -1)'").exitCode, 0);
     EXPECT_EQ(runProgram(case_ + "-entry s/name -remove").exitCode, 0);
     EXPECT_EQ(folder_.read("system/controlDict"),
-              "endTime 3; // [s]\nH 0.35;\ns\n{\n    x #calc \"2 * $H\";\n    v               (0 0 -1);\n}\n#include \"more\"\n");
+              "endTime 3; // [s]\nH 0.35;\ns\n{\n    x #calc \"2 * $H\";\n    v               (0 0 "
+              "-1);\n}\n#include \"more\"\n");
 }
 
 TEST_F(IsphDictionary, ANegativeValueIsNoOption)
@@ -82,7 +89,8 @@ TEST_F(IsphDictionary, ErrorsHaveExitCodeOneAndOpenFoamsWords)
     const auto fails = [&](const std::string& arguments, const std::string& part) {
         const Result result = runProgram(arguments);
         EXPECT_EQ(result.exitCode, 1) << arguments;
-        EXPECT_NE(result.output.find(part), std::string::npos) << arguments << "\n" << result.output;
+        EXPECT_NE(result.output.find(part), std::string::npos) << arguments << "\n"
+                                                               << result.output;
     };
     fails(case_ + "-entry endTme -value", "Did you mean 'endTime'?");
     fails(case_ + "-expand -entry s/y", "keyword y is undefined in dictionary");
@@ -95,7 +103,8 @@ TEST_F(IsphDictionary, ErrorsHaveExitCodeOneAndOpenFoamsWords)
     folder_.write("system/controlDict", "a 1;\ns\n{\n b 2;\n");
     fails(case_ + "-expand", "at line 3.");
     fails(case_ + "-entry a -set 2", "at line");
-    EXPECT_EQ(folder_.read("system/controlDict"), "a 1;\ns\n{\n b 2;\n") << "a failed change leaves the file";
+    EXPECT_EQ(folder_.read("system/controlDict"), "a 1;\ns\n{\n b 2;\n")
+        << "a failed change leaves the file";
 }
 
 }  // namespace

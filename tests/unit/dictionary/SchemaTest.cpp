@@ -13,9 +13,13 @@ Schema drag()
     return {Key::scalar("porosity", "Share of pores in the volume.").above(0).below(1),
             Key::scalar("D50", "Median grain size.").units(dims::length).above(0),
             Key::scalar("alphaC", "Factor of the linear term.").byDefault("1000").atLeast(0),
-            Key::word("law", "How it is averaged.").byDefault("harmonic").oneOf({"harmonic", "arithmetic"}),
-            Key::integer("order", "Order.").mayBeAbsent().atMost(4), Key::logical("log", "Prints.").byDefault("no"),
-            Key::vector("axis", "Axis.").mayBeAbsent(), Key::list("fields", "Fields.").mayBeAbsent().oneOf({"U", "p"}),
+            Key::word("law", "How it is averaged.")
+                .byDefault("harmonic")
+                .oneOf({"harmonic", "arithmetic"}),
+            Key::integer("order", "Order.").mayBeAbsent().atMost(4),
+            Key::logical("log", "Prints.").byDefault("no"),
+            Key::vector("axis", "Axis.").mayBeAbsent(),
+            Key::list("fields", "Fields.").mayBeAbsent().oneOf({"U", "p"}),
             Key::dictionary("coeffs", "Coefficients.").mayBeAbsent()};
 }
 
@@ -29,7 +33,10 @@ const std::string kGood = "porosity 0.4;\nD50 [mm] 20;\n";
 TEST(Schema, AcceptsADictionaryThatFollowsIt)
 {
     EXPECT_EQ(check(kGood).line, -1);
-    EXPECT_EQ(check(kGood + "law arithmetic; order 4; log on; axis (0 0 1); fields (U p); coeffs { }").line, -1);
+    EXPECT_EQ(
+        check(kGood + "law arithmetic; order 4; log on; axis (0 0 1); fields (U p); coeffs { }")
+            .line,
+        -1);
     EXPECT_EQ(check("FoamFile { object x; } " + kGood).line, -1);
 }
 
@@ -46,7 +53,8 @@ TEST(Schema, AnUnknownKeyNamesFileLineNearestKeyAndTheValidOnes)
 TEST(Schema, AMissingKeyIsNamedWithItsMeaning)
 {
     const auto failure = check("porosity 0.4;");
-    EXPECT_TRUE(says(failure, "keyword D50 is undefined in dictionary \"case/constant/porousZones\""));
+    EXPECT_TRUE(
+        says(failure, "keyword D50 is undefined in dictionary \"case/constant/porousZones\""));
     EXPECT_TRUE(says(failure, "Median grain size."));
 }
 
@@ -67,6 +75,7 @@ TEST(Schema, WrongTypesDimensionsAndWordsAreRefused)
     EXPECT_TRUE(says(check(kGood + "law median;"), "median is not in enumeration"));
     EXPECT_TRUE(says(check(kGood + "fields (U T);"), "T is not in enumeration"));
     EXPECT_TRUE(says(check(kGood + "fields U;"), "expected a list"));
+    EXPECT_TRUE(says(check(kGood + "fields [m] (U);"), "do not match the required dimensions"));
     EXPECT_TRUE(says(check(kGood + "order 1.5;"), "whole number"));
     EXPECT_TRUE(says(check(kGood + "log perhaps;"), "switch"));
     EXPECT_TRUE(says(check(kGood + "axis 1;"), "vector"));
@@ -92,7 +101,8 @@ TEST(Schema, GivesTheValueOrTheDefault)
     EXPECT_EQ(drag().get<Real>(dict, "alphaC"), 5);
     EXPECT_EQ(drag().get<std::string>(dict, "law"), "harmonic");
     EXPECT_FALSE(drag().get<bool>(dict, "log"));
-    EXPECT_TRUE(says(failureOf([&] { drag().get<int>(dict, "order"); }), "keyword order is undefined"));
+    EXPECT_TRUE(
+        says(failureOf([&] { drag().get<int>(dict, "order"); }), "keyword order is undefined"));
 }
 
 TEST(Schema, TheAnnotatedDictionaryHasTheDefaultsAndExplainsEveryKey)
@@ -100,13 +110,15 @@ TEST(Schema, TheAnnotatedDictionaryHasTheDefaultsAndExplainsEveryKey)
     const Schema schema = drag();
     const std::string text = schema.annotated();
     const auto dict = Dictionary::parse(text);
-    EXPECT_EQ(dict.keywords(), (std::vector<std::string>{"alphaC", "law", "log"})) << "keys without a default are comments";
+    EXPECT_EQ(dict.keywords(), (std::vector<std::string>{"alphaC", "law", "log"}))
+        << "keys without a default are comments";
     EXPECT_EQ(dict.get<Real>("alphaC"), 1000);
     for (const Key& key : schema.keys()) {
         EXPECT_NE(text.find(key.name + " "), std::string::npos) << key.name;
         EXPECT_NE(text.find(key.description), std::string::npos) << key.name;
     }
-    EXPECT_NE(text.find("[0 1 0 0 0 0 0], > 0, required: Median grain size."), std::string::npos) << text;
+    EXPECT_NE(text.find("[0 1 0 0 0 0 0], > 0, required: Median grain size."), std::string::npos)
+        << text;
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ std::string afterRemove(const std::string& path)
 TEST(Source, ShowsEntriesAsTheyAreWritten)
 {
     const DictionarySource source(kText, "system/controlDict");
-    EXPECT_EQ(source.keywords(""), (Words{"FoamFile", "endTime", "stopAt", "H", "\"wall.*\"", "functions", "short"}));
+    EXPECT_EQ(source.keywords(""),
+              (Words{"FoamFile", "endTime", "stopAt", "H", "\"wall.*\"", "functions", "short"}));
     EXPECT_EQ(source.keywords("functions/gauge"), (Words{"type", "x"}));
     EXPECT_EQ(source.valueText("endTime"), "2");
     EXPECT_EQ(source.valueText("functions/gauge/x"), "$H") << "macros stay";
@@ -70,14 +71,16 @@ TEST(Source, ShowsEntriesAsTheyAreWritten)
     const auto failure = failureOf([&] { source.valueText("functions/gauge/tipe"); });
     EXPECT_TRUE(says(failure, "Cannot find entry functions/gauge/tipe"));
     EXPECT_TRUE(says(failure, "Did you mean 'type'?"));
-    EXPECT_TRUE(says(failureOf([&] { source.keywords("endTime"); }), "'endTime' is not a dictionary"));
+    EXPECT_TRUE(
+        says(failureOf([&] { source.keywords("endTime"); }), "'endTime' is not a dictionary"));
 }
 
 TEST(Source, SettingAnEntryChangesItsValueAndNothingElse)
 {
     EXPECT_EQ(afterSet("endTime", "3.5"), with("2;      // [s]", "3.5;      // [s]"));
     EXPECT_EQ(afterSet("stopAt", " writeNow; "), with("endTime;\nH", "writeNow;\nH"));
-    EXPECT_EQ(afterSet("functions/gauge/x", "(0 #calc \"$H * 2\" 0)"), with("$H;", "(0 #calc \"$H * 2\" 0);"));
+    EXPECT_EQ(afterSet("functions/gauge/x", "(0 #calc \"$H * 2\" 0)"),
+              with("$H;", "(0 #calc \"$H * 2\" 0);"));
     EXPECT_EQ(afterSet("short/b", "\"a; b\""), with("b 2;", "b \"a; b\";"));
     EXPECT_EQ(afterSet("short", "{ c 3; }"), with("{ a 1; b 2; }", "{ c 3; }"));
     EXPECT_EQ(afterSet("\"wall.*\"/type", "sphere"), with("type box;", "type sphere;"));
@@ -91,14 +94,20 @@ TEST(Source, AValueMayBecomeADictionaryAndBack)
 
 TEST(Source, NewEntriesGoToTheEndOfTheirDictionaryInItsLayout)
 {
-    EXPECT_EQ(afterSet("functions/gauge/y", "1"), with("// at the gate\n", "// at the gate\n        y               1;\n"));
+    EXPECT_EQ(afterSet("functions/gauge/y", "1"),
+              with("// at the gate\n", "// at the gate\n        y               1;\n"));
     EXPECT_EQ(afterSet("functions/new/deep/z", "1"),
               with("    #includeFunc probes\n",
-                   "    #includeFunc probes\n    new\n    {\n        deep\n        {\n            z               1;\n        }\n    }\n"));
+                   "    #includeFunc probes\n    new\n    {\n        deep\n        {\n            "
+                   "z               1;\n        }\n    }\n"));
     EXPECT_EQ(afterSet("short/c", "3"), with("b 2; }", "b 2; c 3; }"));
     EXPECT_EQ(afterSet("short/c/d", "3"), with("b 2; }", "b 2; c { d 3; } }"));
-    EXPECT_EQ(afterSet("last", "1"), with("#include \"more\"\n", "#include \"more\"\nlast            1;\n")) << "before the footer";
-    EXPECT_EQ(afterSet("wallLeft", "1"), with("#include \"more\"\n", "#include \"more\"\nwallLeft        1;\n")) << "beside the pattern";
+    EXPECT_EQ(afterSet("last", "1"),
+              with("#include \"more\"\n", "#include \"more\"\nlast            1;\n"))
+        << "before the footer";
+    EXPECT_EQ(afterSet("wallLeft", "1"),
+              with("#include \"more\"\n", "#include \"more\"\nwallLeft        1;\n"))
+        << "beside the pattern";
 }
 
 TEST(Source, NewEntriesInEmptyDictionariesAndFiles)
@@ -114,9 +123,11 @@ TEST(Source, NewEntriesInEmptyDictionariesAndFiles)
     EXPECT_EQ(after("s {}", "s/a"), "s { a 1; }");
     EXPECT_EQ(after("s { }", "s/a"), "s { a 1; }");
     EXPECT_EQ(after("s\n{\n}\n", "s/a"), "s\n{\n    a               1;\n}\n");
-    EXPECT_EQ(after("s\n{\n    // none\n}\n", "s/a"), "s\n{\n    // none\n    a               1;\n}\n");
+    EXPECT_EQ(after("s\n{\n    // none\n}\n", "s/a"),
+              "s\n{\n    // none\n    a               1;\n}\n");
     EXPECT_EQ(after("s\n{\n    b 1; }\n", "s/a"), "s\n{\n    b 1;\n    a               1; }\n");
-    EXPECT_EQ(after("b 1; /* a\n comment */\n", "a"), "b 1;\na               1; /* a\n comment */\n");
+    EXPECT_EQ(after("b 1; /* a\n comment */\n", "a"),
+              "b 1;\na               1; /* a\n comment */\n");
 }
 
 TEST(Source, AddingRefusesWhatIsThere)
@@ -136,19 +147,25 @@ TEST(Source, RemovingTakesTheEntryAndTheCommentOfItsLine)
     EXPECT_EQ(afterRemove("short/a"), with("a 1; ", ""));
     EXPECT_EQ(afterRemove("short/b"), with("b 2; ", ""));
     EXPECT_EQ(afterRemove("functions/gauge"),
-              with("    gauge\n    {\n        type    waterLevel;\n        x       $H;   // at the gate\n    }\n", ""));
+              with("    gauge\n    {\n        type    waterLevel;\n        x       $H;   // at the "
+                   "gate\n    }\n",
+                   ""));
     DictionarySource source(kText, "f");
     EXPECT_TRUE(says(failureOf([&] { source.remove("endTme"); }), "Did you mean 'endTime'?"));
 }
 
 TEST(Source, AnEntryThatStandsTwiceIsChangedWhereItCountsAndRemovedEverywhere)
 {
-    const std::string text = "s { a 1; }\ns { a 2; b 1; }\n#if no\nk 1;\n#else\nk 2;\n#endif\n#ifeq 1 1\nm 1;\n#else\nm 2;\n#endif\n";
+    const std::string text =
+        "s { a 1; }\ns { a 2; b 1; }\n#if no\nk 1;\n#else\nk 2;\n#endif\n#ifeq 1 1\nm 1;\n#else\nm "
+        "2;\n#endif\n";
     DictionarySource source(text, "f");
     source.set("s/a", "3");
     source.set("k", "4");
     source.set("m", "5");
-    EXPECT_EQ(source.text(), "s { a 1; }\ns { a 3; b 1; }\n#if no\nk 1;\n#else\nk 4;\n#endif\n#ifeq 1 1\nm 5;\n#else\nm 2;\n#endif\n");
+    EXPECT_EQ(source.text(),
+              "s { a 1; }\ns { a 3; b 1; }\n#if no\nk 1;\n#else\nk 4;\n#endif\n#ifeq 1 1\nm "
+              "5;\n#else\nm 2;\n#endif\n");
     EXPECT_EQ(Dictionary::parse(source.text()).get<int>("m"), 5);
     source.remove("s/a");
     EXPECT_FALSE(Dictionary::parse(source.text()).subDict("s").found("a"));
@@ -162,7 +179,8 @@ TEST(Source, AValueThatIsMoreOrLessThanOneIsRefused)
         EXPECT_EQ(source.text(), kText) << bad;
     }
     DictionarySource source("a $b;\nb { }", "f");
-    EXPECT_TRUE(says(failureOf([&] { source.set("a/x", "1"); }), "'a' is not a dictionary in this file"));
+    EXPECT_TRUE(
+        says(failureOf([&] { source.set("a/x", "1"); }), "'a' is not a dictionary in this file"));
 }
 
 TEST(Source, WritingReplacesTheFileWholeAndKeepsPermissionsAndLinks)
@@ -178,8 +196,10 @@ TEST(Source, WritingReplacesTheFileWholeAndKeepsPermissionsAndLinks)
     EXPECT_EQ(folder.read("dict"), with("2;      // [s]", "9;      // [s]"));
     EXPECT_TRUE(fs::is_symlink(link));
     EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 2) << "no temporary file stays";
-    EXPECT_TRUE(says(failureOf([&] { source.write("/no/such/folder/dict"); }), "cannot write file"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 2)
+        << "no temporary file stays";
+    EXPECT_TRUE(
+        says(failureOf([&] { source.write("/no/such/folder/dict"); }), "cannot write file"));
 }
 
 TEST(Source, TextThatIsNoDictionaryIsRefusedWithItsLine)

@@ -5,7 +5,8 @@
 //     isphDictionary system/controlDict -entry stopAt -set writeNow
 //     isphDictionary constant/porousZones -expand
 //
-// Without -expand entries are shown as they are written; changes leave the rest of the file as it is.
+// Without -expand entries are shown as they are written; changes leave the rest of the file as it
+// is.
 #include "core/Error.hpp"
 #include "dictionary/Dictionary.hpp"
 #include "dictionary/DictionarySource.hpp"
@@ -23,18 +24,26 @@ using namespace isph;
 std::pair<const Dictionary*, std::string> entryAt(const Dictionary& top, std::string_view path)
 {
     const Dictionary* dict = &top;
-    for (std::size_t slash = path.find('/'); slash != std::string_view::npos; slash = path.find('/')) {
+    for (std::size_t slash = path.find('/'); slash != std::string_view::npos;
+         slash = path.find('/')) {
         if (slash > 0) dict = &dict->subDict(path.substr(0, slash));
         path.remove_prefix(slash + 1);
     }
     std::string key(path);
-    if (key.size() > 1 && key.front() == '"' && key.back() == '"') key = key.substr(1, key.size() - 2);
+    if (key.size() > 1 && key.front() == '"' && key.back() == '"')
+        key = key.substr(1, key.size() - 2);
     return {dict, key};
 }
 
-void print(const std::string& text) { fmt::print("{}", text); }
+void print(const std::string& text)
+{
+    fmt::print("{}", text);
+}
 
-std::string joined(const std::vector<std::string>& keywords) { return fmt::format("{}\n", fmt::join(keywords, "\n")); }
+std::string joined(const std::vector<std::string>& keywords)
+{
+    return fmt::format("{}\n", fmt::join(keywords, "\n"));
+}
 
 void printResolved(const CommandLine& line, const Dictionary& top)
 {
@@ -74,7 +83,9 @@ void checkOptions(const CommandLine& line)
     };
     const int changes = count({"set", "add", "remove"}), views = count({"value", "keywords"});
     if (changes > 1 || views > 1 || (changes == 1 && (views == 1 || line.has("expand"))))
-        throw FatalError("Only one of the options -value -keywords -set -add -remove can be given, and -expand only with the first two");
+        throw FatalError(
+            "Only one of the options -value -keywords -set -add -remove can be given, and -expand "
+            "only with the first two");
     if ((changes == 1 || line.has("value")) && line.value("entry").empty())
         throw FatalError("The options -value -set -add -remove need -entry <path>");
 }
@@ -97,9 +108,12 @@ int main(int argc, char** argv)
         checkOptions(line);
         const std::filesystem::path given = line.value("file");
         const std::filesystem::path file = line.has("case") ? line.caseDir() / given : given;
-        if (line.has("expand")) printResolved(line, Dictionary::read(file));
-        else if (line.has("set") || line.has("add") || line.has("remove")) change(line, DictionarySource::read(file), file);
-        else printWritten(line, DictionarySource::read(file));
+        if (line.has("expand"))
+            printResolved(line, Dictionary::read(file));
+        else if (line.has("set") || line.has("add") || line.has("remove"))
+            change(line, DictionarySource::read(file), file);
+        else
+            printWritten(line, DictionarySource::read(file));
         return 0;
     } catch (const std::exception& error) {
         return isph::reportFatal(error);
