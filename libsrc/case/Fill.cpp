@@ -2,7 +2,10 @@
 #include "case/Fill.hpp"
 
 #include "case/BoxCells.hpp"
+#include "case/Packing.hpp"
 #include "case/RegionChecks.hpp"
+#include "case/RegionParts.hpp"
+#include "case/SoilField.hpp"
 
 #include <fmt/core.h>
 
@@ -12,54 +15,23 @@ namespace isph {
 
 namespace {
 
-/// One part of a region: its points once the number is known.
-struct Part {
-    int partner = -1;      ///< soil region, -1: none
-    Real volume = 0;       ///< bulk [m^D]
-    std::vector<OrientedBox> boxes;
+/// Parts of regions with their points.
+struct Laid {
+    std::vector<RegionPart> parts;
+    std::vector<std::size_t> region;   ///< of each part
+    std::vector<Real> porosity;        ///< of each part
+    std::vector<Point> x;
+    std::vector<std::size_t> part;     ///< of each point
+
+    void add(RegionPart p, std::size_t ofRegion, Real eps, const std::vector<Point>& points)
+    {
+        parts.push_back(std::move(p));
+        region.push_back(ofRegion);
+        porosity.push_back(eps);
+        x.insert(x.end(), points.begin(), points.end());
+        part.resize(x.size(), parts.size() - 1);
+    }
 };
-
-std::vector<Part> partsOf(const std::vector<BoxCell>& cells, int partners, int dimension)
-{
-    std::vector<Part> parts;
-    for (int p = -1; p < partners; ++p) {
-        Part part;
-        part.partner = p;
-        for (const BoxCell& cell : cells)
-            if (cell.partner == p) {
-                part.boxes.push_back(cell.box);
-                part.volume += volumeOf(cell.box, dimension);
-            }
-        if (!part.boxes.empty()) parts.push_back(std::move(part));
-    }
-    return parts;
-}
-
-/// The number of a lattice with spacing s fitted to the box.
-std::int64_t latticeCount(const OrientedBox& box, int dimension, Real s)
-{
-    std::int64_t n = 1;
-    for (int d = 0; d < dimension; ++d) n *= std::max<std::int64_t>(1, std::llround(box.length[d] / s));
-    return n;
-}
-
-/// `particles` = volume of the part in particles. Rounded sums, so that all boxes together have the
-/// rounded number. With `lattices`, boxes take a lattice's number where that is off by one at most.
-std::vector<Point> fillPart(const Part& part, int dimension, Real particles, Real spacing, bool lattices)
-{
-    std::vector<Point> points;
-    Real filled = 0;
-    std::int64_t placed = 0;
-    for (const OrientedBox& box : part.boxes) {
-        filled += volumeOf(box, dimension) / part.volume * particles;
-        std::int64_t count = std::llround(filled) - placed;
-        const std::int64_t lattice = latticeCount(box, dimension, spacing);
-        if (lattices && std::abs(lattice - count) <= 1) count = lattice;
-        for (const Point& x : fillBox(box, dimension, count)) points.push_back(x);
-        placed += count;
-    }
-    return points;
-}
 
 const ZonePorosity* zoneOf(const std::vector<ZonePorosity>& zones, const std::string& name)
 {
@@ -71,8 +43,8 @@ const ZonePorosity* zoneOf(const std::vector<ZonePorosity>& zones, const std::st
 [[noreturn]] void failNoRoom(const std::string& kind, const std::string& name, Real volume, Real spacing,
                              int dimension, const Location& at)
 {
-    throw FatalIOError(fmt::format("the {} region {} has no room for a particle: {} {} of it at a spacing of "
-                                   "{} m\n(is it covered by a region listed before, or the spacing too large?)",
+    throw FatalIOError(fmt::format("the {} region {} has no room for a particle: {:.6g} {} of it at a spacing of "
+                                   "{:.6g} m\n(is it covered by a region listed before, or the spacing too large?)",
                                    kind, name, volume, dimension == 2 ? "m2" : "m3", spacing),
                        at.file, at.line);
 }
@@ -85,14 +57,120 @@ std::vector<const Shape*> shapesBefore(const std::vector<Region>& regions, std::
     return shapes;
 }
 
-template <class Region>
-std::vector<Part> cutRegion(const CaseGeometry& g, const std::vector<Region>& regions, std::size_t k,
-                            const std::vector<const Shape*>& partners)
+/// The number of particles for a volume; in one box a lattice's number where that is off by one at most.
+std::int64_t clearCount(const RegionPart& part, const CaseGeometry& g)
 {
-    const std::optional<OrientedBox> box = regions[k].shape->box();
-    const auto cells = box ? cutIntoCells(*box, g.dimension, shapesBefore(regions, k), partners) : std::nullopt;
-    if (!cells) throw FatalError("createParticles cannot fill regions other than boxes yet");
-    return partsOf(*cells, static_cast<int>(partners.size()), g.dimension);
+    const std::int64_t count = std::llround(part.volume / g.cellVolume());
+    if (part.boxes.size() != 1) return count;
+    std::int64_t lattice = 1;
+    for (int d = 0; d < g.dimension; ++d) lattice *= std::llround(part.boxes[0].length[d] / g.spacing);
+    return std::abs(lattice - count) <= 1 && lattice > 0 ? lattice : count;
+}
+
+/// Distance to all regions together, positive outside.
+template <class Region>
+std::function<Real(const Point&)> outsideOf(const CaseGeometry& g, const std::vector<Region>& regions)
+{
+    return [&g, &regions](const Point& x) {
+        Real f = std::numeric_limits<Real>::max();
+        for (const Region& region : regions) f = std::min(f, region.shape->signedDistance(x));
+        return std::max(f, Box(g.domain.min, g.domain.max, g.dimension).signedDistance(x));
+    };
+}
+
+/// 1 beside a disturbance of the lattice, 0 from `reach` on.
+Real loosened(Real distance, Real reach) { return std::clamp(2 * (1 - distance / reach), 0.0, 1.0); }
+
+/// Free where no lattice fits; a lattice or rows give way within a few spacings of surfaces that cut it and
+/// of parts that are packed or of another porosity.
+std::vector<Real> mobilityOf(const Laid& laid, Real spacing)
+{
+    const Real reach = 5 * spacing;
+    std::vector<PointGrid> byPart(laid.parts.size(), PointGrid(reach));
+    for (std::size_t i = 0; i < laid.x.size(); ++i) byPart[laid.part[i]].add(laid.x[i]);
+    std::vector<Real> mobility(laid.x.size(), 0);
+    for (std::size_t i = 0; i < laid.x.size(); ++i) {
+        const std::size_t own = laid.part[i];
+        const RegionPart& part = laid.parts[own];
+        if (!part.isBoxes())
+            mobility[i] = part.disturbance ? loosened(part.disturbance(laid.x[i]), 2 * reach) : 1;
+        for (std::size_t p = 0; p < laid.parts.size() && mobility[i] < 1; ++p) {
+            if (p == own || (laid.parts[p].isBoxes() && laid.porosity[p] == laid.porosity[own])) continue;
+            const Index j = byPart[p].nearest(laid.x[i], reach);
+            if (j < 0) continue;
+            mobility[i] = std::max(mobility[i], loosened(norm(byPart[p][j] - laid.x[i]), reach));
+        }
+    }
+    return mobility;
+}
+
+template <class Porosity>
+void packLaid(Laid& laid, const CaseGeometry& g, std::function<Real(const Point&)> outside, Porosity&& porosity)
+{
+    const PackingTask task{g, porosity, std::move(outside),
+                           [&laid](std::size_t i, const Point& x) { return laid.parts[laid.part[i]].distance(x); },
+                           mobilityOf(laid, g.spacing)};
+    pack(task, laid.x);
+}
+
+const ZonePorosity& zoneOf(const SoilRegion& region, const std::vector<ZonePorosity>& zones)
+{
+    if (const ZonePorosity* zone = zoneOf(zones, region.zone)) return *zone;
+    std::vector<std::string> names;
+    for (const ZonePorosity& z : zones) names.push_back(z.name);
+    const std::string near = nearestName(region.zone, names);
+    throw FatalIOError(fmt::format("the soil region {} is of zone {}, which constant/porousZones does not "
+                                   "have{}\n\nIts zones are:\n\n{}", region.name, region.zone,
+                                   near.empty() ? "" : fmt::format("; did you mean {}?", near), listOf(names)),
+                       region.at.file, region.at.line);
+}
+
+/// The points of region k.
+std::vector<Point> pointsOfRegion(const Laid& laid, std::size_t k)
+{
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < laid.x.size(); ++i)
+        if (laid.region[laid.part[i]] == k) points.push_back(laid.x[i]);
+    return points;
+}
+
+Laid laySoil(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
+{
+    Laid laid;
+    for (std::size_t k = 0; k < g.soil.size(); ++k) {
+        const SoilRegion& region = g.soil[k];
+        const Real eps = zoneOf(region, zones).porosity;
+        Real volume = 0;
+        const std::size_t before = laid.x.size();
+        for (RegionPart& part : partsOf(g, *region.shape, shapesBefore(g.soil, k), {})) {
+            volume += part.volume;
+            const std::vector<Point> points = pointsIn(part, g, clearCount(part, g), g.spacing);
+            laid.add(std::move(part), k, eps, points);
+        }
+        if (laid.x.size() == before) failNoRoom("soil", region.name, volume, g.spacing, g.dimension, region.at);
+    }
+    return laid;
+}
+
+Laid layWater(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
+{
+    Laid laid;
+    const std::vector<const Shape*> soils = shapesBefore(g.soil, g.soil.size());
+    for (std::size_t k = 0; k < g.water.size(); ++k) {
+        const WaterRegion& region = g.water[k];
+        Real bulk = 0;
+        const std::size_t before = laid.x.size();
+        for (RegionPart& part : partsOf(g, *region.shape, shapesBefore(g.water, k), soils)) {
+            bulk += part.volume;
+            const Real eps = part.partner < 0 ? 1 : zoneOf(g.soil[part.partner], zones).porosity;
+            const std::int64_t count =
+                part.partner < 0 ? clearCount(part, g) : std::llround(eps * part.volume / g.cellVolume());
+            const auto points = pointsIn(part, g, count, g.spacing / std::pow(eps, 1.0 / g.dimension));
+            laid.add(std::move(part), k, eps, points);
+        }
+        if (laid.x.size() == before) failNoRoom("water", region.name, bulk, g.spacing, g.dimension, region.at);
+    }
+    return laid;
 }
 
 }  // namespace
@@ -100,63 +178,48 @@ std::vector<Part> cutRegion(const CaseGeometry& g, const std::vector<Region>& re
 SoilParticles fillSoil(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
 {
     SoilParticles soil;
-    for (std::size_t k = 0; k < g.soil.size(); ++k) {
-        const SoilRegion& region = g.soil[k];
-        const ZonePorosity* zone = zoneOf(zones, region.zone);
-        if (!zone) {
-            std::vector<std::string> names;
-            for (const ZonePorosity& z : zones) names.push_back(z.name);
-            throw FatalIOError(fmt::format("the soil region {} is of zone {}, which constant/porousZones does "
-                                           "not have\n\nIts zones are:\n\n{}", region.name, region.zone,
-                                           listOf(names)), region.at.file, region.at.line);
-        }
-        Real volume = 0;
-        std::vector<Point> points;
-        for (const Part& part : cutRegion(g, g.soil, k, {})) {
-            volume += part.volume;
-            for (const Point& x : fillPart(part, g.dimension, part.volume / g.cellVolume(), g.spacing, true))
-                points.push_back(x);
-        }
-        if (points.empty()) failNoRoom("soil", region.name, volume, g.spacing, g.dimension, region.at);
-        checkInside(g, points, "soil", region.name, *region.shape, region.at);
-        const auto count = static_cast<std::int64_t>(points.size());
-        for (const Point& x : points) {
-            soil.x.push_back(x);
-            soil.zone.push_back(static_cast<Index>(zone - zones.data()));
-            soil.solidVolume.push_back((1 - zone->porosity) * volume / static_cast<Real>(count));
-        }
-        soil.parts.push_back({region.name, region.zone, volume, count});
+    if (g.soil.empty()) return soil;
+    Laid laid = laySoil(g, zones);
+    packLaid(laid, g, outsideOf(g, g.soil), [](const Point&) { return Real(1); });
+    std::vector<std::int64_t> count(laid.parts.size(), 0);
+    for (std::size_t part : laid.part) ++count[part];
+    for (std::size_t p = 0; p < laid.parts.size(); ++p) {
+        const SoilRegion& region = g.soil[laid.region[p]];
+        soil.parts.push_back({region.name, region.zone, laid.parts[p].volume, count[p]});
+    }
+    for (std::size_t k = 0; k < g.soil.size(); ++k)
+        checkInside(g, pointsOfRegion(laid, k), "soil", g.soil[k].name, *g.soil[k].shape, g.soil[k].at);
+    soil.x = laid.x;
+    for (std::size_t part : laid.part) {
+        const ZonePorosity& zone = zoneOf(g.soil[laid.region[part]], zones);
+        soil.zone.push_back(static_cast<Index>(&zone - zones.data()));
+        soil.solidVolume.push_back((1 - zone.porosity) * laid.parts[part].volume / static_cast<Real>(count[part]));
     }
     return soil;
 }
 
-WaterParticles fillWater(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
+WaterParticles fillWater(const CaseGeometry& g, const std::vector<ZonePorosity>& zones, const WallParticles& walls,
+                         const SoilParticles& soil)
 {
+    Laid laid = layWater(g, zones);
+    const SoilField field(g, soil, walls);
+    packLaid(laid, g, outsideOf(g, g.water), [&field](const Point& x) { return field.porosity(x); });
+
     WaterParticles water;
-    const std::vector<const Shape*> soils = shapesBefore(g.soil, g.soil.size());
-    for (std::size_t k = 0; k < g.water.size(); ++k) {
-        const WaterRegion& region = g.water[k];
-        std::vector<Point> points;
-        Real bulk = 0;
-        for (const Part& part : cutRegion(g, g.water, k, soils)) {
-            const ZonePorosity* zone = part.partner < 0 ? nullptr : zoneOf(zones, g.soil[part.partner].zone);
-            const Real eps = zone ? zone->porosity : 1;
-            const Real spacing = g.spacing / std::pow(eps, 1.0 / g.dimension);
-            const std::vector<Point> laid =
-                fillPart(part, g.dimension, eps * part.volume / g.cellVolume(), spacing, !zone);
-            points.insert(points.end(), laid.begin(), laid.end());
-            water.parts.push_back({region.name, zone ? zone->name : "", eps * part.volume,
-                                   static_cast<std::int64_t>(laid.size())});
-            bulk += part.volume;
-        }
-        if (points.empty()) failNoRoom("water", region.name, bulk, g.spacing, g.dimension, region.at);
-        checkInside(g, points, "water", region.name, *region.shape, region.at);
-        for (const Point& x : points) {
-            water.x.push_back(x);
-            water.velocity.push_back(region.velocity ? region.velocity(x) : Point{});
-            water.region.push_back(static_cast<Index>(k));
-        }
+    for (std::size_t p = 0; p < laid.parts.size(); ++p) {
+        const RegionPart& part = laid.parts[p];
+        const std::string zone = part.partner < 0 ? "" : g.soil[part.partner].zone;
+        water.parts.push_back({g.water[laid.region[p]].name, zone, laid.porosity[p] * part.volume,
+                               std::count(laid.part.begin(), laid.part.end(), p)});
     }
+    water.x = laid.x;
+    for (std::size_t i = 0; i < laid.x.size(); ++i) {
+        const std::size_t k = laid.region[laid.part[i]];
+        water.region.push_back(static_cast<Index>(k));
+        water.velocity.push_back(g.water[k].velocity ? g.water[k].velocity(laid.x[i]) : Point{});
+    }
+    for (std::size_t k = 0; k < g.water.size(); ++k)
+        checkInside(g, pointsOfRegion(laid, k), "water", g.water[k].name, *g.water[k].shape, g.water[k].at);
     return water;
 }
 

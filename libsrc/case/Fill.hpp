@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Water and soil particles that fill their regions with the right number.
 #pragma once
-#include "case/CaseGeometry.hpp"
+#include "case/WallLayers.hpp"
 
 #include <cstdint>
 
@@ -28,7 +28,8 @@ struct SoilParticles {
     std::vector<FilledPart> parts;
 };
 
-/// Soil at spacing d0, half a spacing from the faces of its regions.
+/// Soil at spacing d0, half a spacing from the faces of its regions. Boxes hold a lattice fitted to them or
+/// rows of nearly equal numbers; other shapes are filled evenly by packing.
 /// errors  FatalIOError at the region: unknown zone, no room for a particle, soil in a wall or outside
 ///         the domain
 SoilParticles fillSoil(const CaseGeometry& geometry, const std::vector<ZonePorosity>& zones);
@@ -40,9 +41,11 @@ struct WaterParticles {
     std::vector<FilledPart> parts;
 };
 
-/// Every particle stands for d0^D of water: d0 apart in clear water, d0/porosity^(1/D) in soil. The number
-/// in soil is round(pore volume/d0^D) per region and zone, in clear water within one of volume/d0^D.
+/// Every particle stands for d0^D of water: d0 apart in clear water, d0/porosity^(1/D) in soil, with the
+/// porosity that the soil particles make around soil surfaces. The number in soil is
+/// round(pore volume/d0^D) per region and zone, in clear water within one of volume/d0^D.
 /// errors  FatalIOError at the region: no room for a particle, water in a wall or outside the domain
-WaterParticles fillWater(const CaseGeometry& geometry, const std::vector<ZonePorosity>& zones);
+WaterParticles fillWater(const CaseGeometry& geometry, const std::vector<ZonePorosity>& zones,
+                         const WallParticles& walls, const SoilParticles& soil);
 
 }  // namespace isph

@@ -8,7 +8,7 @@ namespace isph {
 namespace {
 
 constexpr Real allowedDepth = 0.02;     // of d0: round-off and the chords of arcs
-constexpr Real leastClearance = 0.35;   // of d0: a particle that belongs beside a wall keeps about 0.5
+constexpr Real leastClearance = 0.2;    // of d0: a particle that belongs beside a wall keeps about 0.5
 
 std::string text(const Point& x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x[0], x[1], x[2]); }
 

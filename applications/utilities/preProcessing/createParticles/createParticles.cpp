@@ -19,7 +19,7 @@ int main(int argc, char* argv[])
         const CaseSetup setup = readCase(line.caseDir());
         const WallParticles walls = layWalls(setup.geometry, setup.wallThickness());
         const SoilParticles soil = fillSoil(setup.geometry, setup.zones);
-        const WaterParticles water = fillWater(setup.geometry, setup.zones);
+        const WaterParticles water = fillWater(setup.geometry, setup.zones, walls, soil);
         report(setup, water, walls, soil);
         writeParticles(line.caseDir() / "0", setup.geometry, setup.zones, water, walls, soil);
         info("\nEnd\n");

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case/Packing.hpp"
+
+#include "case/PointGrid.hpp"
+#include "case/SoilField.hpp"
+#include "core/Parallel.hpp"
+
+#include <algorithm>
+
+namespace isph {
+
+namespace {
+
+constexpr Real smoothing = 1.5;      // h over the local spacing
+constexpr Real rate = 0.15;          // c; lattices are stable up to about 0.3
+constexpr Real longestStep = 0.1;    // in local spacings
+constexpr Real settled = 1e-3;       // in local spacings
+constexpr int mostSweeps = 400;
+constexpr int sweepsPerSearch = 10;
+constexpr Real skin = 0.5;           // of d0: how far two particles may approach between searches
+constexpr Real margin = 0.4;         // in local spacings: what a particle keeps from the faces of its part
+
+class Packing {
+public:
+    Packing(const PackingTask& task, std::vector<Point>& x)
+        : task_(task), g_(task.geometry), d0_(g_.spacing), kernel_{g_.dimension}, x_(x), spacing_(x.size(), d0_),
+          volume_(x.size(), g_.cellVolume())
+    {
+        for (std::size_t i = 0; i < x_.size(); ++i)
+            if (task_.mobility[i] > 0) mobile_.push_back(i);
+    }
+
+    void run()
+    {
+        if (mobile_.empty()) return;
+        updateSpacing();
+        layOutside();
+        for (int sweep = 0; sweep < mostSweeps; ++sweep) {
+            if (sweep % sweepsPerSearch == 0) {
+                updateSpacing();
+                search();
+            }
+            if (step() < settled) break;
+        }
+        for (std::size_t i : mobile_) x_[i] = g_.wrapped(x_[i]);
+    }
+
+private:
+    void updateSpacing()
+    {
+        parallelForDynamic(x_.size(), [&](Index i) {
+            const Real porosity = task_.porosity(x_[i]);
+            spacing_[i] = d0_ / std::pow(porosity, 1.0 / g_.dimension);
+            volume_[i] = g_.cellVolume() / porosity;
+        });
+        widest_ = d0_;
+        for (Real s : spacing_) widest_ = std::max(widest_, s);
+    }
+
+    /// The space around the mobile particles that is not theirs to fill, as points with volumes.
+    void layOutside()
+    {
+        BoundingBox box;
+        for (std::size_t i : mobile_) box.include(x_[i]);
+        const Real reach = 2 * smoothing * widest_, cell = 0.5 * d0_;
+        PointGrid mobile(reach);
+        for (std::size_t i : mobile_) mobile.add(x_[i]);
+        box = box.grown(reach, g_.dimension);
+        for (int d = 0; d < g_.dimension; ++d) {   // whole cells from the corner of the domain
+            box.min[d] = g_.domain.min[d] + std::floor((box.min[d] - g_.domain.min[d]) / d0_) * d0_;
+            box.max[d] = box.min[d] + std::ceil((box.max[d] - box.min[d]) / d0_) * d0_;
+        }
+        forEachCell(box, g_.dimension, cell * (1 + 1e-9), [&](const Point& x, Real volume) {
+            const Real share = std::clamp(0.5 + task_.outside(g_.wrapped(x)) / cell, 0.0, 1.0);
+            if (share == 0 || mobile.nearest(x, reach) < 0) return;
+            outside_.push_back(x);
+            outsideVolume_.push_back(share * volume);
+        });
+    }
+
+    /// Lists, for each mobile particle, what may come within its support before the next search.
+    void search()
+    {
+        images_ = std::make_unique<PeriodicPoints>(g_, x_, 2 * smoothing * widest_ + d0_);
+        const PointGrid particles(smoothing * widest_, images_->x), outside(smoothing * widest_, outside_);
+        near_.resize(mobile_.size());
+        nearOutside_.resize(mobile_.size());
+        parallelForDynamic(mobile_.size(), [&](Index m) {
+            const std::size_t i = mobile_[m];
+            near_[m].clear();
+            nearOutside_[m].clear();
+            particles.forEachWithin(x_[i], smoothing * (spacing_[i] + widest_) + skin * d0_, [&](Index k, const Point& r) {
+                const Index j = images_->owner[k];
+                const Real support = smoothing * (spacing_[i] + spacing_[j]) + skin * d0_;
+                if (normSqr(r) < sqr(support) && (j != static_cast<Index>(i) || normSqr(r) > 0)) near_[m].push_back(k);
+            });
+            outside.forEachWithin(x_[i], 2 * smoothing * spacing_[i] + skin * d0_,
+                                  [&](Index k, const Point&) { nearOutside_[m].push_back(k); });
+        });
+    }
+
+    /// -h^2 sum_j V_j gradW_ij at the mobile particle m.
+    Point push(std::size_t m) const
+    {
+        const std::size_t i = mobile_[m];
+        Point sum;
+        for (Index k : near_[m]) {
+            const Index j = images_->owner[k];
+            const Real h = 0.5 * smoothing * (spacing_[i] + spacing_[j]);
+            const Point r = x_[j] + images_->shift[k] - x_[i];
+            const Real distance = norm(r);
+            if (distance < 2 * h) sum += volume_[j] * kernel_.slope(distance, h) * r;
+        }
+        const Real h = smoothing * spacing_[i];
+        for (Index k : nearOutside_[m]) {
+            const Point r = outside_[k] - x_[i];
+            const Real distance = norm(r);
+            if (distance < 2 * h) sum += outsideVolume_[k] * kernel_.slope(distance, h) * r;
+        }
+        return sqr(smoothing * spacing_[i]) * sum;
+    }
+
+    Point outward(std::size_t i) const
+    {
+        Point n;
+        for (int d = 0; d < g_.dimension; ++d) {
+            Point e;
+            e[d] = 1e-3 * d0_;
+            n[d] = task_.own(i, x_[i] + e) - task_.own(i, x_[i] - e);
+        }
+        return unit(n);
+    }
+
+    /// Moves i by `by`, but nearer than `margin` to the faces of its part only along them; one that is too
+    /// near goes back inwards.
+    Point moved(std::size_t i, Point by) const
+    {
+        const Real keep = margin * spacing_[i], before = task_.own(i, x_[i]);
+        if (before < -keep && task_.own(i, x_[i] + by) < -keep) return x_[i] + by;
+        const Point n = outward(i);
+        by = by - dot(by, n) * n;
+        if (before > -keep) by -= std::min(0.05 * spacing_[i], before + keep) * n;
+        const Point x = x_[i] + by;
+        return task_.own(i, x) <= std::max(before, -keep) ? x : x_[i];
+    }
+
+    /// One sweep over all mobile particles at once; the largest step in local spacings.
+    Real step()
+    {
+        std::vector<Point> next(mobile_.size());
+        parallelForDynamic(mobile_.size(), [&](Index m) {
+            const std::size_t i = mobile_[m];
+            Point by = rate * task_.mobility[i] * push(m);
+            const Real length = norm(by), most = longestStep * spacing_[i];
+            if (length > most) by *= most / length;
+            next[m] = moved(i, by);
+        });
+        Real largest = 0;
+        for (std::size_t m = 0; m < mobile_.size(); ++m) {
+            Point& x = x_[mobile_[m]];
+            largest = std::max(largest, norm(next[m] - x) / spacing_[mobile_[m]]);
+            x = next[m];
+        }
+        return largest;
+    }
+
+    const PackingTask& task_;
+    const CaseGeometry& g_;
+    Real d0_;
+    PackingKernel kernel_;
+    std::vector<Point>& x_;
+    std::vector<Real> spacing_, volume_;
+    std::vector<std::size_t> mobile_;
+    std::vector<Point> outside_;
+    std::vector<Real> outsideVolume_;
+    std::unique_ptr<PeriodicPoints> images_;
+    std::vector<std::vector<Index>> near_, nearOutside_;
+    Real widest_ = 0;
+};
+
+}  // namespace
+
+void pack(const PackingTask& task, std::vector<Point>& x) { Packing(task, x).run(); }
+
+}  // namespace isph

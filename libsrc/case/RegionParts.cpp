@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case/RegionParts.hpp"
+
+#include "case/BoxCells.hpp"
+
+#include <algorithm>
+
+namespace isph {
+
+namespace {
+
+std::vector<RegionPart> boxParts(const std::vector<BoxCell>& cells, int partners, const CaseGeometry& g)
+{
+    std::vector<RegionPart> parts;
+    for (int p = -1; p < partners; ++p) {
+        RegionPart part;
+        part.partner = p;
+        for (const BoxCell& cell : cells) {
+            if (cell.partner != p) continue;
+            part.boxes.push_back(cell.box);
+            part.volume += volumeOf(cell.box, g.dimension);
+            const BoundingBox b = boundsOf(cell.box);
+            part.bounds.include(b.min);
+            part.bounds.include(b.max);
+        }
+        if (!part.boxes.empty()) parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+/// Area where the distance is negative, from the contours of all shapes that bound it.
+Real areaOf(const RegionPart& part, const CaseGeometry& g, const std::vector<const Shape*>& shapes)
+{
+    const Real chord = 2e-4 * g.spacing;
+    std::vector<Edge> edges = Box(g.domain.min, g.domain.max, 2).contour(0);
+    for (const Shape* shape : shapes)
+        for (const Edge& e : shape->contour(chord)) edges.push_back(e);
+    return enclosedArea(boundaryOf(cutAtCrossings(edges, 1e-7 * g.spacing), 10 * chord,
+                                   [&](const Vec<2>& x) { return part.distance({{x[0], x[1], 0}}) < 0; }));
+}
+
+Real volumeOfPart(const RegionPart& part, const CaseGeometry& g, const std::vector<const Shape*>& shapes)
+{
+    if (g.dimension == 2) return areaOf(part, g, shapes);
+    if (shapes.size() == 1 && shapes[0]->bounded())
+        if (const auto volume = shapes[0]->volume()) return *volume;
+    return measure(part.bounds, 3, 0.25 * g.spacing, part.distance);
+}
+
+}  // namespace
+
+std::vector<RegionPart> partsOf(const CaseGeometry& g, const Shape& shape, const std::vector<const Shape*>& taken,
+                                const std::vector<const Shape*>& partners)
+{
+    const std::optional<OrientedBox> box = shape.box();
+    const auto cells = box ? cutIntoCells(*box, g.dimension, taken, partners) : std::nullopt;
+    std::vector<RegionPart> parts;
+    if (cells) parts = boxParts(*cells, static_cast<int>(partners.size()), g);
+
+    const auto own = [&shape, &g, taken](const Point& x) {
+        Real f = shape.signedDistance(x);
+        if (!shape.bounded()) f = std::max(f, Box(g.domain.min, g.domain.max, g.dimension).signedDistance(x));
+        for (const Shape* other : taken) f = std::max(f, -other->signedDistance(x));
+        return f;
+    };
+    const auto within = [own, partners](int p, const Point& x) {
+        Real f = own(x);
+        for (int q = 0; q < (p < 0 ? static_cast<int>(partners.size()) : p); ++q)
+            f = std::max(f, -partners[q]->signedDistance(x));
+        return p < 0 ? f : std::max(f, partners[p]->signedDistance(x));
+    };
+    if (cells) {
+        for (RegionPart& part : parts)
+            part.distance = [within, p = part.partner](const Point& x) { return within(p, x); };
+        return parts;
+    }
+    const BoundingBox whole = shape.bounded() ? shape.bounds() : intersection(shape.bounds(), g.domain);
+    for (int p = -1; p < static_cast<int>(partners.size()); ++p) {
+        RegionPart part;
+        part.partner = p;
+        part.distance = [within, p](const Point& x) { return within(p, x); };
+        part.bounds = p < 0 ? whole : intersection(whole, partners[p]->bounds());
+        if (part.bounds.empty()) continue;
+        part.frame = p < 0 ? box : partners[p]->box();
+        std::vector<const Shape*> shapes = taken;
+        shapes.insert(shapes.end(), partners.begin(), partners.end());
+        if (p < 0 && box)
+            part.disturbance = [shapes](const Point& x) {
+                Real nearest = std::numeric_limits<Real>::max();
+                for (const Shape* other : shapes) nearest = std::min(nearest, std::fabs(other->signedDistance(x)));
+                return nearest;
+            };
+        shapes.insert(shapes.begin(), &shape);
+        part.volume = volumeOfPart(part, g, shapes);
+        if (part.volume > 1e-9 * g.cellVolume()) parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+namespace {
+
+/// Points of a lattice over the bounds: aligned with the frame and fitted to it, else with the corner of
+/// the domain.
+template <class F>
+void forEachLatticePoint(const RegionPart& part, const CaseGeometry& g, Real spacing, F&& f)
+{
+    OrientedBox lattice;
+    lattice.origin = g.domain.min;
+    Point step{{spacing, spacing, spacing}};
+    if (part.frame) {
+        lattice = *part.frame;
+        for (int d = 0; d < g.dimension; ++d)
+            step[d] = lattice.length[d] / std::max(1.0, std::round(lattice.length[d] / spacing));
+    }
+    BoundingBox local;
+    for (int corner = 0; corner < 8; ++corner) {
+        Point x;
+        for (int d = 0; d < 3; ++d) x[d] = corner >> d & 1 ? part.bounds.max[d] : part.bounds.min[d];
+        local.include(lattice.toLocal(x));
+    }
+    std::int64_t low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+    for (int d = 0; d < g.dimension; ++d) {
+        low[d] = static_cast<std::int64_t>(std::floor(local.min[d] / step[d])) - 1;
+        high[d] = static_cast<std::int64_t>(std::ceil(local.max[d] / step[d]));
+    }
+    for (std::int64_t k = low[2]; k <= high[2]; ++k)
+        for (std::int64_t j = low[1]; j <= high[1]; ++j)
+            for (std::int64_t i = low[0]; i <= high[0]; ++i) {
+                const std::int64_t at[3] = {i, j, k};
+                Point x;
+                for (int d = 0; d < g.dimension; ++d) x[d] = (static_cast<Real>(at[d]) + 0.5) * step[d];
+                f(lattice.toGlobal(x));
+            }
+}
+
+}  // namespace
+
+std::vector<Point> pointsIn(const RegionPart& part, const CaseGeometry& g, std::int64_t count, Real spacing)
+{
+    std::vector<Point> points;
+    if (part.isBoxes()) {   // rounded sums, so that all boxes together have the number
+        Real filled = 0;
+        std::int64_t placed = 0;
+        for (const OrientedBox& box : part.boxes) {
+            filled += volumeOf(box, g.dimension) / part.volume * static_cast<Real>(count);
+            const std::int64_t upTo = std::llround(filled);
+            for (const Point& x : fillBox(box, g.dimension, upTo - placed)) points.push_back(x);
+            placed = upTo;
+        }
+        return points;
+    }
+    std::vector<std::pair<Real, Point>> candidates;
+    forEachLatticePoint(part, g, spacing, [&](const Point& x) {
+        const Real f = part.distance(x);
+        if (f < 1.5 * spacing) candidates.emplace_back(f, x);
+    });
+    // round-off must not choose among points of equal depth
+    std::stable_sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+        return std::llround(a.first / (1e-7 * spacing)) < std::llround(b.first / (1e-7 * spacing));
+    });
+    for (std::size_t i = 0; i < std::min(candidates.size(), static_cast<std::size_t>(count)); ++i)
+        points.push_back(candidates[i].second);
+    return points;
+}
+
+}  // namespace isph

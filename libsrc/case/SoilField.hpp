@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The smoothed porosity that soil particles make, as the solver will see it.
+#pragma once
+#include "case/Fill.hpp"
+#include "case/PointGrid.hpp"
+#include "case/WallLayers.hpp"
+
+namespace isph {
+
+/// Wendland C2, W = sigma/h^D (1 - q/2)^4 (1 + 2 q), q = r/h < 2; for laying particles out.
+struct PackingKernel {
+    int dimension;
+    Real w(Real r, Real h) const;
+    /// (dW/dr)/r
+    Real slope(Real r, Real h) const;
+};
+
+/// Points and their images across the periodic faces, as far as `reach` beyond them.
+struct PeriodicPoints {
+    std::vector<Point> x;
+    std::vector<Index> owner;
+    std::vector<Point> shift;   ///< x = that of the owner + shift
+    PeriodicPoints(const CaseGeometry& geometry, const std::vector<Point>& points, Real reach);
+};
+
+/// eps(x) = 1 - [sum_k solidVolume_k W(x - x_k)]/[1 - sum_w V_w W(x - x_w)], h = 1.5 d0: soil goes on in
+/// walls and across periodic faces.                                                [theory (4.10)]
+class SoilField {
+public:
+    SoilField(const CaseGeometry& geometry, const SoilParticles& soil, const WallParticles& walls);
+    Real porosity(const Point& x) const;
+
+private:
+    PackingKernel kernel_;
+    Real h_, least_;
+    PeriodicPoints soilPoints_, wallPoints_;
+    PointGrid soilGrid_, wallGrid_;
+    std::vector<Real> solid_, wall_;
+};
+
+}  // namespace isph
