@@ -5,6 +5,7 @@
 #include "dictionary/Dictionary.hpp"
 #include "kernels/Kernel.hpp"
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -30,10 +31,20 @@ struct FlowView {
     std::vector<Vector3> wallPosition;
     std::vector<Real> wallVolume;
 
-    /// h of a particle, h0/eps^(1/D).
+    // Directions in which the flow repeats itself, with the ends of one period. The particles above are
+    // those of one period; whoever sums over neighbours makes the images.
+    std::array<bool, 3> periodic{};
+    Vector3 domainMin{}, domainMax{};
+
+    /// m = rho0 d0^D [kg], in 2-D per metre of width.
+    Real particleMass() const;
+    /// h of a particle [m], h0/eps^(1/D).
     Real smoothingLength(std::size_t i) const;
-    /// m/(eps rho0), the volume a particle occupies with its share of soil.
+    /// m/(eps rho0) [m^D], the volume a particle occupies with its share of soil.
     Real occupiedVolume(std::size_t i) const;
+    /// A field by name; throws FatalError that lists the fields of this kind.
+    const std::vector<Real>& scalar(const std::string& name) const;
+    const std::vector<Vector3>& vector(const std::string& name) const;
 };
 
 }  // namespace isph

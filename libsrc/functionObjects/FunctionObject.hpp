@@ -10,19 +10,28 @@
 
 namespace isph {
 
-/// One measurement. Its row is written to postProcessing/<name>/<startTime>/<name>.dat.
+/// One measurement. Its rows are written to postProcessing/<name>/<startTime>/<name>.dat.
+/// A model's keys() returns keysWith({its own keys}).
 class FunctionObject {
 public:
     static constexpr const char* family = "functionObject";
     using Table = ModelTable<FunctionObject>;
     static Table& table();
 
+    /// The keys that every function object has (type, libs, enabled, log, startTime, endTime and the
+    /// controls of execution and writing), and the model's own.
+    static Schema keysWith(const Schema& own);
+
     virtual ~FunctionObject() = default;
 
-    /// Column names after "Time", without blanks.
-    virtual std::vector<std::string> columns() const = 0;
-    /// Values of the columns for this flow.
+    /// Values of the columns for this flow. None of them may be other than finite.
     virtual std::vector<Real> measure(const FlowView& flow) = 0;
+    /// Column names after "Time", without blanks. Asked only after the first measure().
+    virtual std::vector<std::string> columns() const = 0;
+    /// What a reader of the file has to know besides (places, units), a line each.
+    virtual std::vector<std::string> header() const { return {}; }
+    /// The run goes on from a restart: `first` is the first row that its beginning wrote.
+    virtual void resume(Span<const Real> first) { (void)first; }
 };
 
 }  // namespace isph
