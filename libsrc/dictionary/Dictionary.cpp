@@ -70,6 +70,17 @@ DictionaryEntry& Dictionary::Content::put(DictionaryEntry entry)
     return entries.back();
 }
 
+std::regex patternOf(const std::string& text, const Location& at)
+{
+    try {
+        return std::regex(text);
+    } catch (const std::regex_error& error) {
+        throw FatalIOError(
+            fmt::format("The keyword \"{}\" is not a regular expression: {}", text, error.what()),
+            at.file, at.line);
+    }
+}
+
 void mergeInto(Dictionary& target, const Dictionary& source)
 {
     auto& into = DictionaryAccess::content(target);

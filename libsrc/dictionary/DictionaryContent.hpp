@@ -54,6 +54,9 @@ void rename(Dictionary& dict, const std::string& name);
 /// Throws where the value carries dimensions that are not the required ones.
 void checkDimensions(const Dictionary& dict, std::string_view key, const Dimensions& required);
 
+/// The regular expression of a quoted keyword. Throws FatalIOError where it is none.
+std::regex patternOf(const std::string& text, const Location& at);
+
 /// "a/b/c" in its parts.
 std::vector<std::string> partsOf(std::string_view path);
 

@@ -137,13 +137,7 @@ void DictionaryParser::parseEntry(Lexeme key)
     DictionaryEntry entry{key.text, here(key)};
     if (key.kind == Lexeme::Kind::string) {
         entry.key = expandText(key.text, key.line, false);
-        try {
-            entry.pattern.emplace(entry.key);
-        } catch (const std::regex_error& error) {
-            fail(fmt::format("The keyword \"{}\" is not a regular expression: {}", entry.key,
-                             error.what()),
-                 key.line);
-        }
+        entry.pattern = patternOf(entry.key, entry.at);
     }
     if (lexer_.peek().is('{')) {
         parseSubDict(std::move(entry), lexer_.next());
@@ -152,6 +146,7 @@ void DictionaryParser::parseEntry(Lexeme key)
     if (lexer_.peek().kind == Lexeme::Kind::variable) {
         const Lexeme variable = lexer_.next();
         if (copyDict(entry, variable)) return;
+        refuseDict(variable, key);
         appendVariable(entry.tokens, variable);
     }
     parseValue(entry.tokens, key);
@@ -220,6 +215,7 @@ void DictionaryParser::parseValue(std::vector<Token>& tokens, const Lexeme& key)
             fail(fmt::format("The entry '{}' does not end: a ';' is missing before line {}",
                              key.text, lexeme.line),
                  key.line);
+        if (opened.empty() || !opened.back().is('{')) refuseDict(lexeme, key);
         if (lexeme.is('(') || lexeme.is('[') || lexeme.is('{')) opened.push_back(lexeme);
         if (lexeme.is(')') || lexeme.is(']') || lexeme.is('}')) {
             if (opened.empty() || closing(opened.back().text[0]) != lexeme.text[0])

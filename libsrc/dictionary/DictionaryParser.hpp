@@ -59,6 +59,7 @@ private:
     const DictionaryEntry* findMacro(std::string_view name);
     const DictionaryEntry* findInFile(std::string_view file, std::string_view name);
     void appendVariable(std::vector<Token>& tokens, const Lexeme& variable);
+    void refuseDict(const Lexeme& lexeme, const Lexeme& key);
     std::string variableName(const Lexeme& variable);
     bool mergeVariable(const Lexeme& variable);
     Lexeme keyFromVariable(const Lexeme& variable);

@@ -146,7 +146,8 @@ const DictionarySource::Item& DictionarySource::itemAt(std::string_view path) co
     for (const Item* dict : occurrences(scope))
         for (const Item& item : dict->items)
             if (item.key[0] == '"' &&
-                std::regex_match(parts.back(), std::regex(item.key.substr(1, item.key.size() - 2))))
+                std::regex_match(parts.back(), patternOf(item.key.substr(1, item.key.size() - 2),
+                                                         {name_, item.line})))
                 match = &item;
     if (!match) failAbsent(parts);
     return *match;

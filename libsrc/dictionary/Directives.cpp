@@ -116,7 +116,7 @@ void DictionaryParser::removeEntries(const Lexeme& name)
             fail(fmt::format("#remove is followed by '{}': expected keywords", what.text),
                  name.line);
         const bool pattern = what.kind == Lexeme::Kind::string;
-        const std::regex expression(pattern ? what.text : "");
+        const std::regex expression = patternOf(pattern ? what.text : "", here(name));
         const auto matches = [&](const DictionaryEntry& entry) {
             return pattern ? entry.key == what.text || std::regex_match(entry.key, expression)
                            : entry.key == what.text;

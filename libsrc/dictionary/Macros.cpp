@@ -184,6 +184,18 @@ void DictionaryParser::appendVariable(std::vector<Token>& tokens, const Lexeme& 
     tokens.push_back(std::move(token));
 }
 
+/// A dictionary can be a part of a value only within braces: in "a 1 $dict;" a semicolon is
+/// missing.
+void DictionaryParser::refuseDict(const Lexeme& lexeme, const Lexeme& key)
+{
+    if (lexeme.kind != Lexeme::Kind::variable) return;
+    const DictionaryEntry* entry = findMacro(variableName(lexeme));
+    if (entry && entry->dict)
+        fail(fmt::format("'${}' in the value of '{}' is a dictionary. Is a ';' missing before it?",
+                         lexeme.text, key.text),
+             lexeme.line);
+}
+
 /// "$name;" where a keyword could stand: the entries of that dictionary come in here.
 bool DictionaryParser::mergeVariable(const Lexeme& variable)
 {

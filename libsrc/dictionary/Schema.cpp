@@ -66,9 +66,12 @@ void checkList(const Dictionary& dict, const Key& key)
 void checkValue(const Dictionary& dict, const Key& key)
 {
     switch (key.type) {
-        case KeyType::scalar:
+        case KeyType::scalar:  // or one of the allowed words: "relaxationTime auto;"
+            if (!key.allowed.empty() &&
+                dict.tokens(key.name).front().kind == Token::Kind::word)
+                break;
             checkRange(dict, key, dict.get<Real>(key.name, key.dimensions));
-            break;
+            return;
         case KeyType::integer:
             checkRange(dict, key, dict.get<int>(key.name, key.dimensions));
             break;

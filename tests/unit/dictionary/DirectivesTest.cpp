@@ -136,6 +136,8 @@ TEST(Remove, TakesWordsListsAndPatterns)
         "#remove \"c.*\"\n e 5;");
     EXPECT_EQ(dict.keywords(), (Words{"d", "e"}));
     EXPECT_EQ(dict.subDict("d").keywords(), Words{"y"});
+    const auto failure = failureOf([] { Dictionary::parse("\n#remove \"(a\"\n"); });
+    EXPECT_EQ(failure.line, 2) << "no regular expression";
 }
 
 TEST(InputMode, SaysWhatASecondEntryOfAKeywordDoes)

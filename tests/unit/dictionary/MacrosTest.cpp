@@ -134,6 +134,16 @@ TEST(Macros, ADictionaryInAListBringsItsEntries)
     EXPECT_NE(dict.toString().find("(a { type box; n 2; })"), std::string::npos) << dict.toString();
 }
 
+TEST(Macros, ADictionaryInAValueMeansAMissingSemicolon)
+{
+    for (const char* text :
+         {"s { x 1; }\na 2\n$s;", "s { x 1; }\n\na $s 2;", "s { x 1; }\n\na (1 $s);"}) {
+        const auto failure = failureOf([&] { Dictionary::parse(text); });
+        EXPECT_EQ(failure.line, 3) << text;
+        EXPECT_TRUE(says(failure, "'$s' in the value of 'a' is a dictionary")) << text;
+    }
+}
+
 TEST(Macros, AnotherFilesEntryIsNamedByFileAndPath)
 {
     const testing::TempFolder folder;
