@@ -40,6 +40,17 @@ Real Wall::bodyDistance(const Point& x) const
     return f;
 }
 
+Point Wall::surfacePoint(const Point& x) const
+{
+    if (!channel_) return shape_->nearestPoint(x);
+    Point q = channel_->nearestPoint(frame_->toLocal(x));
+    for (int face : openFaces_) {   // the surface ends at the plane of the open face
+        const int d = face / 2;
+        q[d] = face % 2 ? std::min(q[d], frame_->length[d]) : std::max(q[d], 0.0);
+    }
+    return frame_->toGlobal(q);
+}
+
 Real CaseGeometry::bodyDistance(const Point& x) const
 {
     Real f = std::numeric_limits<Real>::max();

@@ -27,6 +27,8 @@ public:
     /// Distance to the wall's surface, negative in its body. The body of a box with an open face ends at
     /// the plane of that face.
     Real bodyDistance(const Point& x) const;
+    /// The point of the wall's surface nearest to x.
+    Point surfacePoint(const Point& x) const;
 
 private:
     std::string name_;

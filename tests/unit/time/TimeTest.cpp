@@ -73,6 +73,18 @@ TEST(Time, TheFittedStepExceedsTheWantedOneByAtMostOnePercentAndIsNoSliver)
     }
 }
 
+TEST(Time, TheStepBeforeTheLastIsKnown)
+{
+    Time time = timeOf(kAdjustable);
+    const std::vector<Step> steps = stepsOf(time);
+    EXPECT_EQ(steps[0].deltaT0, 0);
+    for (std::size_t n = 1; n < steps.size(); ++n) {
+        EXPECT_EQ(steps[n].deltaT0, steps[n - 1].deltaT);
+        EXPECT_NEAR(steps[n].value - steps[n - 1].value, steps[n].deltaT,
+                    1e-15);  // round-off of 1 s
+    }
+}
+
 TEST(Time, AFixedStepIsFittedToWriteTimesToo)
 {
     Time time =
