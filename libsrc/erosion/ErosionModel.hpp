@@ -8,7 +8,7 @@
 
 namespace isph {
 
-/// The law of one bed material. It judges; finding the bed and moving its particles is done elsewhere.
+/// The law of one bed material. It judges; others find the bed and move its particles.
 class ErosionModel {
 public:
     static constexpr const char* family = "erosionModel";
@@ -20,10 +20,12 @@ public:
     virtual ~ErosionModel() = default;
 
     /// The speed of the water along the bed, at the grain, above which a grain is taken away.
-    /// in   slopeDownFlow[N] theta [rad], the angle of the bed below the horizontal in the direction of
-    ///      the flow: positive where the water runs downslope;  rho [kg/m3] of the water;  g = |g| [m/s2]
+    /// in   slopeDownFlow[N] theta [rad], the angle of the bed below the horizontal in the
+    ///      direction of the flow: positive where the water runs downslope;  rho [kg/m3] of the
+    ///      water;  g = |g| [m/s2]
     /// out  uLimit[N] [m/s], overwritten, >= 0
-    virtual void threshold(Span<const Real> slopeDownFlow, Real rho, Real g, Span<Real> uLimit) const = 0;
+    virtual void threshold(Span<const Real> slopeDownFlow, Real rho, Real g,
+                           Span<Real> uLimit) const = 0;
     /// Density of the grains [kg/m3].
     virtual Real solidDensity() const = 0;
     /// Diameter of the grains [m].

@@ -6,8 +6,8 @@
 
 namespace isph {
 
-/// A kernel's shape. Families of particles are evaluated array by array: one virtual call a row, none
-/// a pair.
+/// A kernel's shape. Families of particles are evaluated array by array: one virtual call a row,
+/// none a pair.
 class Kernel {
 public:
     static constexpr const char* family = "kernel";
@@ -22,8 +22,8 @@ public:
     virtual Real supportRadius() const = 0;
     /// sigma_D, so that the integral of W over the support is 1.
     virtual Real normalisation(int dimension) const = 0;
-    /// For q[k] in [0, supportRadius()]:  w[k] = w(q_k),  slope[k] = w'(q_k)/q_k  (its limit at q = 0).
-    /// Beyond the support both are 0.
+    /// w[k] = w(q_k) and slope[k] = w'(q_k)/q_k (its limit at q = 0), for q >= 0. Beyond the support
+    /// both are 0.
     virtual void evaluate(Span<const Real> q, Span<Real> w, Span<Real> slope) const = 0;
 };
 

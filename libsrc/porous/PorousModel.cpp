@@ -20,11 +20,14 @@ std::unique_ptr<PorousModel> PorousModel::select(const Dictionary& zone)
 
 Real PorousModel::inertiaCoefficient(Real porosity) const
 {
-    const Real addedMass = 0.34;   // van Gent (1995), thesis, Delft; paper (6)
+    const Real addedMass = 0.34;  // van Gent (1995), thesis, Delft; paper (6)
     return 1 + addedMass * (1 - porosity) / porosity;
 }
 
-Real permeability(const Resistance& r, Real nu) { return nu / r.linear; }
+Real permeability(const Resistance& r, Real nu)
+{
+    return nu / r.linear;
+}
 
 Real forchheimerCoefficient(const Resistance& r, Real nu)
 {
@@ -35,11 +38,12 @@ std::string describe(const std::string& zone, const PorousModel& model, Real nu)
 {
     const Real porosity = model.porosity();
     const Resistance r = model.resistance(porosity, nu);
-    return fmt::format("Porous zone {}\n    {}\n"
-                       "    porosity = {:.4g}, a = {:.4g} [1/s], b = {:.4g} [1/m], K = {:.4g} [m^2], "
-                       "C = {:.4g}, C_r = {:.4g}",
-                       zone, model.formula(), porosity, r.linear, r.quadratic, permeability(r, nu),
-                       forchheimerCoefficient(r, nu), model.inertiaCoefficient(porosity));
+    return fmt::format(
+        "Porous zone {}\n    {}\n"
+        "    porosity = {:.4g}, a = {:.4g} [1/s], b = {:.4g} [1/m], K = {:.4g} [m^2], "
+        "C = {:.4g}, C_r = {:.4g}",
+        zone, model.formula(), porosity, r.linear, r.quadratic, permeability(r, nu),
+        forchheimerCoefficient(r, nu), model.inertiaCoefficient(porosity));
 }
 
 }  // namespace isph

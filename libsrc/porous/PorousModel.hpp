@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Resistance of the soil skeleton to seepage, a v_D + b |v_D| v_D per unit mass of water. [theory (4.1)]
+// Resistance of the soil to seepage, a v_D + b |v_D| v_D per unit mass of water.       [theory (4.1)]
 #pragma once
 #include "core/Types.hpp"
 #include "selection/ModelTable.hpp"
@@ -9,12 +9,12 @@
 namespace isph {
 
 struct Resistance {
-    Real linear = 0;      ///< a [1/s]
-    Real quadratic = 0;   ///< b [1/m]
+    Real linear = 0;     ///< a [1/s]
+    Real quadratic = 0;  ///< b [1/m]
 };
 
-/// The law of one soil zone. It is asked once per zone; particles scale its values by the local share
-/// of soil, so no model is called per particle.
+/// The law of one soil zone. It is asked once per zone; particles scale its values by the local
+/// share of soil, so no model is called per particle.
 class PorousModel {
 public:
     static constexpr const char* family = "porousModel";
@@ -26,7 +26,7 @@ public:
     virtual ~PorousModel() = default;
 
     /// a and b of soil of the given porosity, 0 < porosity <= 1, in water of kinematic viscosity nu
-    /// [m2/s]. Models of grains give 0 at porosity 1; measured permeabilities do not change with it.
+    /// [m2/s]. Models of grains give 0 at porosity 1; measured permeabilities keep their value.
     virtual Resistance resistance(Real porosity, Real nu) const = 0;
     /// The formula in one line with its coefficients, for the log: "ergun: a = 150 nu ...".
     virtual std::string formula() const = 0;

@@ -35,7 +35,7 @@ LoadRecord& record()
     return one;
 }
 
-const char kOwnPlace = 0;   // its address tells where this library was loaded from
+const char kOwnPlace = 0;  // its address tells where this library was loaded from
 
 /// The file that holds the code or data at `address`.
 fs::path fileOf(const void* address)
@@ -71,12 +71,13 @@ std::vector<fs::path> candidates(const std::string& name)
     for (std::string folder; std::getline(folders, folder, ':');)
         if (!folder.empty()) files.push_back(fs::absolute(folder) / name);
     files.push_back(programFile().parent_path().parent_path() / "lib" / name);
-    const fs::path beside = fs::absolute(fileOf(&kOwnPlace)).lexically_normal().parent_path() / name;
+    const fs::path beside =
+        fs::absolute(fileOf(&kOwnPlace)).lexically_normal().parent_path() / name;
     if (beside != files.back()) files.push_back(beside);
     return files;
 }
 
-/// dlopen; empty, or the loader's message. RTLD_NOW: a missing symbol is an error now, not in hour 3.
+/// dlopen; empty, or the loader's message. RTLD_NOW: a missing symbol is an error at the start.
 std::string open(const std::string& file)
 {
     return dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) != nullptr ? "" : dlerror();
@@ -87,7 +88,8 @@ std::string open(const std::string& file)
 {
     std::string text = fmt::format("Library \"{}\" not found. Sought as\n", name);
     for (const fs::path& file : sought) text += fmt::format("    {}\n", file.string());
-    if (!loaderMessage.empty()) text += fmt::format("and on the system's paths: {}\n", loaderMessage);
+    if (!loaderMessage.empty())
+        text += fmt::format("and on the system's paths: {}\n", loaderMessage);
     text += environment("ISPH_LIBRARY_PATH").empty()
                 ? "Name it by its full path, or set ISPH_LIBRARY_PATH to the folder that holds it."
                 : "Name it by its full path, or add the folder that holds it to ISPH_LIBRARY_PATH.";
@@ -119,17 +121,19 @@ fs::path projectDir()
     const std::string chosen = environment("ISPH_PROJECT_DIR");
     if (!chosen.empty()) {
         if (fs::exists(fs::path(chosen) / "etc/controlDict")) return chosen;
-        throw FatalError(fmt::format(
-            "ISPH_PROJECT_DIR is \"{}\", which holds no etc/controlDict.\n"
-            "Set it to the folder of isphPorousFoam, or unset it.", chosen));
+        throw FatalError(
+            fmt::format("ISPH_PROJECT_DIR is \"{}\", which holds no etc/controlDict.\n"
+                        "Set it to the folder of isphPorousFoam, or unset it.",
+                        chosen));
     }
     for (fs::path folder = programFile().parent_path();; folder = folder.parent_path()) {
         if (fs::exists(folder / "etc/controlDict")) return folder;
         if (folder == folder.parent_path()) break;
     }
-    throw FatalError(fmt::format("No folder above {} holds etc/controlDict.\n"
-                                 "Set ISPH_PROJECT_DIR to the folder of isphPorousFoam.",
-                                 programFile().string()));
+    throw FatalError(
+        fmt::format("No folder above {} holds etc/controlDict.\n"
+                    "Set ISPH_PROJECT_DIR to the folder of isphPorousFoam.",
+                    programFile().string()));
 }
 
 void loadLibrary(const std::string& name)
@@ -167,17 +171,25 @@ void loadFamily(const std::string& family)
     state.families.insert(family);
 }
 
-std::vector<std::string> builtInFamilies() { return familyLibraries().keywords(); }
+std::vector<std::string> builtInFamilies()
+{
+    return familyLibraries().keywords();
+}
 
-const std::vector<std::string>& loadedLibraries() { return record().loaded; }
+const std::vector<std::string>& loadedLibraries()
+{
+    return record().loaded;
+}
 
 void noteConflict(const char* family, const char* model, int abi, const void* registered) noexcept
 {
     LoadRecord& state = record();
     std::string& text = state.conflicts[state.current];
     if (abi != coreAbi())
-        text += fmt::format("    {} {} was built for interface version {}, this program has {}: "
-                            "build the library again\n", family, model, abi, coreAbi());
+        text += fmt::format(
+            "    {} {} was built for interface version {}, this program has {}: "
+            "build the library again\n",
+            family, model, abi, coreAbi());
     else
         text += fmt::format("    {} {} is registered already, by {}\n", family, model,
                             fileOf(registered).string());

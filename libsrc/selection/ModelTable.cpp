@@ -15,12 +15,21 @@ std::map<std::string, const AnyModelTable*>& tables()
 }
 }  // namespace
 
-int coreAbi() { return kAbi; }
+int coreAbi()
+{
+    return kAbi;
+}
 
-AnyModelTable::AnyModelTable(const char* family) { tables().emplace(family, this); }
+AnyModelTable::AnyModelTable(const char* family)
+{
+    tables().emplace(family, this);
+}
 AnyModelTable::~AnyModelTable() = default;
 
-const std::map<std::string, const AnyModelTable*>& modelFamilies() { return tables(); }
+const std::map<std::string, const AnyModelTable*>& modelFamilies()
+{
+    return tables();
+}
 
 Dictionary modelCoefficients(const Dictionary& dict, const std::string& name, const Schema& keys)
 {

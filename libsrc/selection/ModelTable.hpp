@@ -3,14 +3,14 @@
 // picks one by that name.
 //
 // A family F is an abstract class with
-//     static constexpr const char* family = "porousModel";   // the word of messages and dictionaries
-//     using Table = ModelTable<F, Args...>;                   // Args: what every model is made with
-//     static Table& table();                                  // defined in one .cpp of the family
-// and a model M of it is a class with `static Schema keys();`, a constructor (const Dictionary&, Args...)
-// and, in its .cpp,
+//     static constexpr const char* family = "porousModel";  // the word of messages and files
+//     using Table = ModelTable<F, Args...>;                 // Args: what every model is made with
+//     static Table& table();                                // defined in one .cpp of the family
+// and a model M of it is a class with `static Schema keys();`, a constructor that takes
+// (const Dictionary&, Args...) and, in its .cpp,
 //     namespace { const F::Table::Entry<M> entry{"ergun"}; }
-// A dictionary then says   porousModel ergun;  ergunCoeffs { ... }   (coefficients of other models may
-// stand beside, so that changing a model is changing one word).
+// A dictionary then says   porousModel ergun;  ergunCoeffs { ... }   (coefficients of other models
+// may stand beside, so that changing a model is changing one word).
 #pragma once
 #include "dictionary/Schema.hpp"
 #include "selection/Libraries.hpp"
@@ -25,12 +25,12 @@ namespace isph {
 /// Raised by whatever changes a family interface; compiled into every model.
 inline constexpr int kAbi = 1;
 
-/// "Unknown porousModel type foo\n\nValid porousModel types are:\n\n3\n(\n...": throws FatalIOError.
+/// Throws FatalIOError: "Unknown porousModel type foo\n\nValid porousModel types are:\n\n3\n(...".
 [[noreturn]] void failUnknownModel(const std::string& family, const std::string& name,
                                    const std::vector<std::string>& valid, const Dictionary& where,
                                    std::string_view key);
 
-/// <name>Coeffs of `dict`; empty, but named like it, where it is absent and no key of it is required.
+/// <name>Coeffs of `dict`; empty, but so named, where it is absent and none of its keys is required.
 /// Throws FatalIOError where a required sub-dictionary is missing.
 Dictionary modelCoefficients(const Dictionary& dict, const std::string& name, const Schema& keys);
 
@@ -44,7 +44,7 @@ public:
     virtual Schema keys(const std::string& name) const = 0;
 
 protected:
-    explicit AnyModelTable(const char* family);   ///< enters the table in modelFamilies()
+    explicit AnyModelTable(const char* family);  ///< enters the table in modelFamilies()
 };
 
 /// The tables of all families whose libraries are loaded, by name.
@@ -67,11 +67,12 @@ public:
         if (abi != coreAbi()) return noteConflict(Family::family, name, abi);
         const auto [place, added] = rows_.emplace(name, row);
         if (!added)
-            noteConflict(Family::family, name, abi, reinterpret_cast<const void*>(place->second.make));
+            noteConflict(Family::family, name, abi,
+                         reinterpret_cast<const void*>(place->second.make));
     }
 
-    /// The model called `name`, made from its coefficients after they were checked against its keys.
-    /// `where` and `key` are the entry that named it, for the error message.
+    /// The model called `name`, made from its coefficients after they were checked against its
+    /// keys. `where` and `key` are the entry that named it, for the error message.
     std::unique_ptr<Family> make(const std::string& name, const Dictionary& coefficients,
                                  const Dictionary& where, std::string_view key, Args... args) const
     {
@@ -88,11 +89,12 @@ public:
         return make(name, modelCoefficients(dict, name, keys), dict, key, args...);
     }
 
-    /// As select(), for a dictionary that holds nothing but this choice:  <family> <name>;  <name>Coeffs
-    /// {...}, and perhaps the coefficients of other models. Any other key is an error.
+    /// As select(), for a dictionary that holds nothing but this choice:  <family> <name>;
+    /// <name>Coeffs {...}, and perhaps the coefficients of other models. Any other key is an error.
     std::unique_ptr<Family> selectOnly(const Dictionary& dict, Args... args) const
     {
-        if (dict.found(Family::family)) find(dict.get<std::string>(Family::family), dict, Family::family);
+        if (dict.found(Family::family))
+            find(dict.get<std::string>(Family::family), dict, Family::family);
         choiceKeys().check(dict);
         return select(dict, Family::family, args...);
     }
@@ -119,12 +121,13 @@ public:
     struct Entry {
         explicit Entry(const char* name)
         {
-            Family::table().add(name,
-                                {[](const Dictionary& dict, Args... args) -> std::unique_ptr<Family> {
-                                     return std::make_unique<Model>(dict, args...);
-                                 },
-                                 &Model::keys},
-                                kAbi);
+            Family::table().add(
+                name,
+                {[](const Dictionary& dict, Args... args) -> std::unique_ptr<Family> {
+                     return std::make_unique<Model>(dict, args...);
+                 },
+                 &Model::keys},
+                kAbi);
         }
     };
 

@@ -13,7 +13,7 @@ public:
     static constexpr const char* family = "turbulenceModel";
     using Table = ModelTable<TurbulenceModel>;
     static Table& table();
-    /// The model that constant/turbulenceProperties names: turbulenceModel <type>; <type>Coeffs {...}.
+    /// The model that constant/turbulenceProperties names, with its <type>Coeffs.
     static std::unique_ptr<TurbulenceModel> select(const Dictionary& turbulenceProperties);
 
     virtual ~TurbulenceModel() = default;

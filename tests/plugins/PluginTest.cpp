@@ -43,7 +43,8 @@ bool offered(const std::string& name)
 TEST(Plugin, AModelOfALibraryOutsideTheTreeIsSelectedByName)
 {
     loadLibrary("libQuadraticDrag.so");
-    const auto model = zone("porousModel quadraticDrag; quadraticDragCoeffs { porosity 0.4; b 7; }");
+    const auto model =
+        zone("porousModel quadraticDrag; quadraticDragCoeffs { porosity 0.4; b 7; }");
     EXPECT_EQ(model->porosity(), 0.4);
     EXPECT_EQ(model->resistance(0.4, 1e-6).quadratic, 7);
     EXPECT_TRUE(offered("quadraticDrag"));
@@ -90,7 +91,10 @@ TEST(Plugin, ANameThatIsTakenIsRefusedWithBothLibraries)
         expectPart(text, "libisphPorousModels.so");
     }
     // The first one stays.
-    EXPECT_GT(zone("porousModel ergun; ergunCoeffs { porosity 0.4; D50 0.01; }")->resistance(0.4, 1e-6).linear, 0);
+    EXPECT_GT(zone("porousModel ergun; ergunCoeffs { porosity 0.4; D50 0.01; }")
+                  ->resistance(0.4, 1e-6)
+                  .linear,
+              0);
 }
 
 TEST(Plugin, AnotherInterfaceVersionIsRefused)
@@ -138,7 +142,8 @@ TEST(Plugin, AnUnknownTypeListsTheModelsOfPluginsToo)
         zone("porousModel quadraticDrg; quadraticDrgCoeffs {}");
         FAIL() << "accepted";
     } catch (const FatalIOError& error) {
-        expectPart(error.what(), "Unknown porousModel type quadraticDrg, did you mean quadraticDrag?");
+        expectPart(error.what(),
+                   "Unknown porousModel type quadraticDrg, did you mean quadraticDrag?");
         expectPart(error.what(), "    ergun\n");
         expectPart(error.what(), "    quadraticDrag\n");
     }

@@ -42,6 +42,9 @@ public:
 };
 
 /// max(a, 0)
-inline Real positive(Real a) { return a > 0 ? a : 0; }
+inline Real positive(Real a)
+{
+    return a > 0 ? a : 0;
+}
 
 }  // namespace isph

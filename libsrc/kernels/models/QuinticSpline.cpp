@@ -6,7 +6,10 @@
 namespace isph {
 namespace {
 
-inline Real fourthPower(Real a) { return sqr(sqr(a)); }
+inline Real fourthPower(Real a)
+{
+    return sqr(sqr(a));
+}
 
 /// Quintic B-spline.                                                                [theory (2.3)]
 ///   w = (3-q)+^5 - 6 (2-q)+^5 + 15 (1-q)+^5    sigma = 7/(478 pi) in 2-D, 1/(120 pi) in 3-D

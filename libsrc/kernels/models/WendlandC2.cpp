@@ -10,7 +10,8 @@ namespace {
 ///   w = (1 - q/2)+^4 (1 + 2q)        sigma = 7/(4 pi) in 2-D, 21/(16 pi) in 3-D
 ///   w'/q = -5 (1 - q/2)+^3
 /// Its Fourier transform is positive, so that particles do not pair.
-/// source  Wendland (1995), Adv. Comput. Math. 4, 389-396; Dehnen & Aly (2012), MNRAS 425, 1068-1082
+/// source  Wendland (1995), Adv. Comput. Math. 4, 389-396; Dehnen & Aly (2012), MNRAS 425,
+///         1068-1082
 struct WendlandC2 {
     static constexpr Real support = 2;
     static constexpr Real sigma2 = 7 / (4 * std::numbers::pi);

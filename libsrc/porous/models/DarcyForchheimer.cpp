@@ -31,7 +31,8 @@ public:
 
     std::string formula() const override
     {
-        return fmt::format("darcyForchheimer: a = nu/K, b = C/sqrt(K), K = {:g} m^2, C = {:g}", K_, C_);
+        return fmt::format("darcyForchheimer: a = nu/K, b = C/sqrt(K), K = {:g} m^2, C = {:g}", K_,
+                           C_);
     }
 
 private:

@@ -14,9 +14,10 @@ class Engelund : public PorousModel {
 public:
     static Schema keys()
     {
-        return {porosityKey(), grainDiameterKey(),
-                coefficientKey("alpha", "1000", "linear (viscous) resistance, 780 to 1500").above(0),
-                coefficientKey("beta", "2.8", "quadratic (inertial) resistance, 1.8 to 3.6")};
+        return {
+            porosityKey(), grainDiameterKey(),
+            coefficientKey("alpha", "1000", "linear (viscous) resistance, 780 to 1500").above(0),
+            coefficientKey("beta", "2.8", "quadratic (inertial) resistance, 1.8 to 3.6")};
     }
 
     explicit Engelund(const Dictionary& dict)
@@ -34,8 +35,10 @@ public:
 
     std::string formula() const override
     {
-        return fmt::format("engelund: a = {:g} nu (1 - eps)^3/(eps^2 D50^2), "
-                           "b = {:g} (1 - eps)/(eps^3 D50), D50 = {:g} m", alpha_, beta_, d_);
+        return fmt::format(
+            "engelund: a = {:g} nu (1 - eps)^3/(eps^2 D50^2), "
+            "b = {:g} (1 - eps)/(eps^3 D50), D50 = {:g} m",
+            alpha_, beta_, d_);
     }
 
 private:

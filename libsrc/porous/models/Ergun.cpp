@@ -26,8 +26,10 @@ public:
 
     std::string formula() const override
     {
-        return fmt::format("ergun: a = 150 nu (1 - eps)^2/(eps^3 D50^2), "
-                           "b = 1.75 (1 - eps)/(eps^3 D50), D50 = {:g} m", d_);
+        return fmt::format(
+            "ergun: a = 150 nu (1 - eps)^2/(eps^3 D50^2), "
+            "b = 1.75 (1 - eps)/(eps^3 D50), D50 = {:g} m",
+            d_);
     }
 
 private:

@@ -8,7 +8,8 @@ namespace isph {
 inline Key permeabilityKey()
 {
     return Key::scalar("K", "intrinsic permeability, k nu/g of the hydraulic conductivity k [m/s]")
-        .units(dims::area).above(0);
+        .units(dims::area)
+        .above(0);
 }
 
 }  // namespace isph

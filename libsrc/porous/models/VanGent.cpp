@@ -38,8 +38,10 @@ public:
 
     std::string formula() const override
     {
-        return fmt::format("vanGent: a = {:g} nu (1 - eps)^2/(eps^3 D50^2), b = {:g} (1 + 7.5/KC) "
-                           "(1 - eps)/(eps^3 D50), KC = {:g}, D50 = {:g} m", alphaC_, betaC_, KC_, d_);
+        return fmt::format(
+            "vanGent: a = {:g} nu (1 - eps)^2/(eps^3 D50^2), b = {:g} (1 + 7.5/KC) "
+            "(1 - eps)/(eps^3 D50), KC = {:g}, D50 = {:g} m",
+            alphaC_, betaC_, KC_, d_);
     }
 
 private:

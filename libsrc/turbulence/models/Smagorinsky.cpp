@@ -10,19 +10,24 @@
 namespace isph {
 namespace {
 
-/// Eddies smaller than the spacing, in equilibrium with the strain they see.   [theory (8.1), (8.2)]
+/// Eddies smaller than the spacing, in equilibrium with the strain they see.  [theory (8.1), (8.2)]
 ///   nuT = (Cs d0)^2 |S| f(eps)                                              [m2/s]
 ///   f = t^2 (3 - 2t),   t = clamp((eps - porosityOff)/(1 - porosityOff), 0, 1)
-/// f is 1 in clear water, 0 in soil up to the porosity porosityOff, and falls smoothly over the outer
-/// part of the layer over which the porosity of the particles does.
+/// f is 1 in clear water, 0 in soil up to the porosity porosityOff, and falls smoothly over the
+/// outer part of the layer over which the porosity of the particles does.
 /// source  Smagorinsky (1963), Mon. Weather Rev. 91(3), 99-164; Cs 0.1 to 0.2
 class Smagorinsky : public TurbulenceModel {
 public:
     static Schema keys()
     {
-        return {Key::scalar("Cs", "Smagorinsky constant, 0.1 to 0.2").byDefault("0.15").atLeast(0).atMost(1),
+        return {Key::scalar("Cs", "Smagorinsky constant, 0.1 to 0.2")
+                    .byDefault("0.15")
+                    .atLeast(0)
+                    .atMost(1),
                 Key::scalar("porosityOff", "porosity at and below which there is no eddy viscosity")
-                    .byDefault("0.9").atLeast(0).below(1)};
+                    .byDefault("0.9")
+                    .atLeast(0)
+                    .below(1)};
     }
 
     explicit Smagorinsky(const Dictionary& dict)

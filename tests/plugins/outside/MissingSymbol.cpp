@@ -2,5 +2,8 @@
 // A library whose author forgot to compile or link one file.
 namespace isph {
 double forgottenFunction();
-double callsIt() { return forgottenFunction(); }
+double callsIt()
+{
+    return forgottenFunction();
+}
 }  // namespace isph

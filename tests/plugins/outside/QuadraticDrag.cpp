@@ -18,7 +18,10 @@ public:
     }
 
     Resistance resistance(Real, Real) const override { return {1e-3, b_}; }
-    std::string formula() const override { return "quadraticDrag: a = 0.001, b from the dictionary"; }
+    std::string formula() const override
+    {
+        return "quadraticDrag: a = 0.001, b from the dictionary";
+    }
 
 private:
     Real b_;

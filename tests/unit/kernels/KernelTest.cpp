@@ -31,8 +31,14 @@ Values sample(const Kernel& kernel, Real from, Real to, std::size_t n)
     return v;
 }
 
-Real at(const Kernel& kernel, Real q) { return sample(kernel, q, q, 1).w[0]; }
-Real slopeAt(const Kernel& kernel, Real q) { return sample(kernel, q, q, 1).slope[0]; }
+Real at(const Kernel& kernel, Real q)
+{
+    return sample(kernel, q, q, 1).w[0];
+}
+Real slopeAt(const Kernel& kernel, Real q)
+{
+    return sample(kernel, q, q, 1).slope[0];
+}
 
 class EveryKernel : public testing::TestWithParam<std::string> {
 protected:
@@ -70,7 +76,8 @@ TEST_P(EveryKernel, HasAFiniteSlopeOverDistanceAtTheCentre)
     // w'/q -> w''(0), here by the second difference of the even function w.
     const Real step = 1e-3;
     const Real curvature = 2 * (at(*kernel_, step) - at(*kernel_, 0)) / sqr(step);
-    EXPECT_NEAR(slopeAt(*kernel_, 0) / curvature, 1, 10 * step);   // next term is of first order in step
+    EXPECT_NEAR(slopeAt(*kernel_, 0) / curvature, 1,
+                10 * step);  // next term is of first order in step
     EXPECT_NEAR(slopeAt(*kernel_, 1e-12) / slopeAt(*kernel_, 0), 1, 1e-11);
 }
 
@@ -96,7 +103,8 @@ TEST_P(EveryKernel, EndsAtItsSupportRadius)
 
 TEST_P(EveryKernel, GivesTheSameBitsAloneAndInARow)
 {
-    const Values row = sample(*kernel_, 0, 1.1 * kernel_->supportRadius(), 37);   // not a vector width
+    const Values row =
+        sample(*kernel_, 0, 1.1 * kernel_->supportRadius(), 37);  // not a vector width
     for (std::size_t k = 0; k < row.q.size(); ++k) {
         EXPECT_EQ(at(*kernel_, row.q[k]), row.w[k]) << "q = " << row.q[k];
         EXPECT_EQ(slopeAt(*kernel_, row.q[k]), row.slope[k]) << "q = " << row.q[k];
@@ -104,26 +112,32 @@ TEST_P(EveryKernel, GivesTheSameBitsAloneAndInARow)
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernels, EveryKernel,
-                         testing::Values("cubicSpline", "quinticSpline", "wendlandC2", "wendlandC4"),
+                         testing::Values("cubicSpline", "quinticSpline", "wendlandC2",
+                                         "wendlandC4"),
                          [](const auto& chosen) { return chosen.param; });
 
 TEST(Kernel, NamesAreThoseTested)
 {
-    EXPECT_EQ(Kernel::table().names(),
-              (std::vector<std::string>{"cubicSpline", "quinticSpline", "wendlandC2", "wendlandC4"}));
+    EXPECT_EQ(Kernel::table().names(), (std::vector<std::string>{"cubicSpline", "quinticSpline",
+                                                                 "wendlandC2", "wendlandC4"}));
 }
 
 TEST(Kernel, AnUnknownNameIsRefusedWithFileLineAndTheValidNames)
 {
     try {
-        Kernel::select(Dictionary::parse("smoothingRatio 1.5;\nkernel wendlandC3;\n", "isphSchemes"));
+        Kernel::select(
+            Dictionary::parse("smoothingRatio 1.5;\nkernel wendlandC3;\n", "isphSchemes"));
         FAIL() << "accepted";
     } catch (const FatalIOError& error) {
         const std::string text = error.what();
         EXPECT_EQ(error.file(), "isphSchemes");
         EXPECT_EQ(error.line(), 2);
-        EXPECT_NE(text.find("Unknown kernel type wendlandC3, did you mean wendlandC2?"), std::string::npos) << text;
-        EXPECT_NE(text.find("Valid kernel types are:\n\n4\n(\n    cubicSpline\n"), std::string::npos) << text;
+        EXPECT_NE(text.find("Unknown kernel type wendlandC3, did you mean wendlandC2?"),
+                  std::string::npos)
+            << text;
+        EXPECT_NE(text.find("Valid kernel types are:\n\n4\n(\n    cubicSpline\n"),
+                  std::string::npos)
+            << text;
     }
 }
 

@@ -11,15 +11,19 @@ using namespace isph;
 
 namespace {
 
-constexpr Real nu = 1.3e-6;   // [m2/s]; not 1e-6, so that a forgotten nu shows
+constexpr Real nu = 1.3e-6;  // [m2/s]; not 1e-6, so that a forgotten nu shows
 
 std::unique_ptr<PorousModel> model(const std::string& name, const std::string& coefficients)
 {
-    return PorousModel::select(Dictionary::parse("porousModel " + name + ";\n" + name + "Coeffs\n{ " +
-                                                     coefficients + " }\n", "porousZones"));
+    return PorousModel::select(Dictionary::parse(
+        "porousModel " + name + ";\n" + name + "Coeffs\n{ " + coefficients + " }\n",
+        "porousZones"));
 }
 
-Resistance intact(const PorousModel& m) { return m.resistance(m.porosity(), nu); }
+Resistance intact(const PorousModel& m)
+{
+    return m.resistance(m.porosity(), nu);
+}
 
 /// The message of the error that a zone is refused with.
 std::string refusal(const std::string& name, const std::string& coefficients)
@@ -60,12 +64,15 @@ TEST(PorousModel, AkbariHasThePermeabilityAndForchheimerCoefficientOfEquation4)
     const auto m = model("akbari", "porosity 0.41; D50 3e-3; alphaC 640; betaC 1.3;");
     const Real K = cube(e) * sqr(d) / (alphaC * sqr(1 - e));
     EXPECT_NEAR(permeability(intact(*m), nu) / K, 1, exact);
-    EXPECT_NEAR(forchheimerCoefficient(intact(*m), nu) / (betaC / (std::sqrt(alphaC) * std::pow(e, 1.5))), 1, exact);
+    EXPECT_NEAR(
+        forchheimerCoefficient(intact(*m), nu) / (betaC / (std::sqrt(alphaC) * std::pow(e, 1.5))),
+        1, exact);
 
     // The same soil given by K and C is the same resistance.
     std::ostringstream coefficients;
     coefficients.precision(17);
-    coefficients << "porosity 0.41; K " << K << "; C " << forchheimerCoefficient(intact(*m), nu) << ";";
+    coefficients << "porosity 0.41; K " << K << "; C " << forchheimerCoefficient(intact(*m), nu)
+                 << ";";
     const auto same = model("darcyForchheimer", coefficients.str());
     EXPECT_NEAR(intact(*same).linear / intact(*m).linear, 1, exact);
     EXPECT_NEAR(intact(*same).quadratic / intact(*m).quadratic, 1, exact);
@@ -87,14 +94,16 @@ TEST(PorousModel, ErgunIsThePressureDropOfAPackedBed)
     // Ergun (1952): dp/L = 150 mu (1-e)^2 v/(e^3 d^2) + 1.75 rho (1-e) v^2/(e^3 d)
     const Real e = 0.38, d = 2e-3, v = 0.013;
     const Resistance r = intact(*model("ergun", "porosity 0.38; D50 2e-3;"));
-    const Real drop = 150 * nu * sqr(1 - e) * v / (cube(e) * sqr(d)) + 1.75 * (1 - e) * sqr(v) / (cube(e) * d);
+    const Real drop =
+        150 * nu * sqr(1 - e) * v / (cube(e) * sqr(d)) + 1.75 * (1 - e) * sqr(v) / (cube(e) * d);
     EXPECT_NEAR((r.linear * v + r.quadratic * sqr(v)) / drop, 1, exact);
 }
 
 TEST(PorousModel, EngelundHasItsOwnPowersOfThePorosity)
 {
     const Real e = 0.43, d = 5e-4;
-    const Resistance r = intact(*model("engelund", "porosity 0.43; D50 5e-4; alpha 780; beta 1.8;"));
+    const Resistance r =
+        intact(*model("engelund", "porosity 0.43; D50 5e-4; alpha 780; beta 1.8;"));
     EXPECT_NEAR(r.linear / (780 * nu * cube(1 - e) / (sqr(e) * sqr(d))), 1, exact);
     EXPECT_NEAR(r.quadratic / (1.8 * (1 - e) / (cube(e) * d)), 1, exact);
     const Resistance plain = intact(*model("engelund", "porosity 0.43; D50 5e-4;"));
@@ -147,19 +156,22 @@ std::vector<std::vector<std::string>> rows(const std::string& file)
 TEST(PorousModel, AgreesWithTheTableOfTheLiterature)
 {
     const auto table = rows(ISPH_REFERENCE_DIR "/porous_resistance_literature_spread.csv");
-    if (table.empty()) GTEST_SKIP() << "no porous_resistance_literature_spread.csv in " ISPH_REFERENCE_DIR;
+    if (table.empty())
+        GTEST_SKIP() << "no porous_resistance_literature_spread.csv in " ISPH_REFERENCE_DIR;
     int compared = 0;
-    for (const auto& row : table) {   // material,n,D_m,author,alpha_c,beta_c,a_1_s,b_1_m,K_m2,...
+    for (const auto& row : table) {  // material,n,D_m,author,alpha_c,beta_c,a_1_s,b_1_m,K_m2,...
         const std::string soil = "porosity " + row[1] + "; D50 " + row[2] + ";";
         std::unique_ptr<PorousModel> m;
         if (row[3].find("paper") == 0) m = model("akbari", soil);
         if (row[3].find("Liu") == 0) m = model("akbari", soil + " alphaC 200;");
         if (row[3].find("Ergun") == 0) m = model("ergun", soil);
         if (row[3].find("Engelund") == 0) m = model("engelund", soil);
-        if (row[3].find("Jensen") == 0) m = model("vanGent", soil + " alphaC 500; betaC 2.0; KC 128;");
+        if (row[3].find("Jensen") == 0)
+            m = model("vanGent", soil + " alphaC 500; betaC 2.0; KC 128;");
         if (!m) continue;
         const Resistance r = m->resistance(m->porosity(), 1e-6);
-        EXPECT_NEAR(r.linear / std::stod(row[6]), 1, 1e-5) << row[0] << " " << row[3];   // 6 digits printed
+        EXPECT_NEAR(r.linear / std::stod(row[6]), 1, 1e-5)
+            << row[0] << " " << row[3];  // 6 digits printed
         EXPECT_NEAR(r.quadratic / std::stod(row[7]), 1, 1e-5) << row[0] << " " << row[3];
         ++compared;
     }
@@ -175,20 +187,24 @@ TEST(PorousModel, PorosityAndGrainDiameterMustBePossible)
     }
     EXPECT_NE(refusal("ergun", "porosity 0.4; D50 0;").find("D50"), std::string::npos);
     EXPECT_NE(refusal("darcy", "porosity 0.4; K -1e-9;").find("K"), std::string::npos);
-    EXPECT_NE(refusal("darcy", "porosity 0.4; K [0 1 0 0 0 0 0] 1e-9;").find("dimensions"), std::string::npos);
+    EXPECT_NE(refusal("darcy", "porosity 0.4; K [0 1 0 0 0 0 0] 1e-9;").find("dimensions"),
+              std::string::npos);
 }
 
 TEST(PorousModel, AMisspelledOrMissingKeyIsRefused)
 {
-    EXPECT_NE(refusal("akbari", "porosity 0.4; D50 0.01; alphac 1000;").find("alphaC"), std::string::npos);
+    EXPECT_NE(refusal("akbari", "porosity 0.4; D50 0.01; alphac 1000;").find("alphaC"),
+              std::string::npos);
     EXPECT_NE(refusal("vanGent", "porosity 0.4; D50 0.01;").find("KC"), std::string::npos);
-    EXPECT_THROW(PorousModel::select(Dictionary::parse("porousModel ergun; ergunCoefs {}")), FatalIOError);
+    EXPECT_THROW(PorousModel::select(Dictionary::parse("porousModel ergun; ergunCoefs {}")),
+                 FatalIOError);
     EXPECT_THROW(PorousModel::select(Dictionary::parse("porousModel ergun;")), FatalIOError);
 }
 
 TEST(PorousModel, ChangingTheModelIsChangingOneWord)
 {
-    const std::string soils = "akbariCoeffs { porosity 0.4; D50 0.01; }  ergunCoeffs { porosity 0.4; D50 0.01; }";
+    const std::string soils =
+        "akbariCoeffs { porosity 0.4; D50 0.01; }  ergunCoeffs { porosity 0.4; D50 0.01; }";
     const auto a = PorousModel::select(Dictionary::parse("porousModel akbari; " + soils));
     const auto b = PorousModel::select(Dictionary::parse("porousModel ergun; " + soils));
     EXPECT_NEAR(intact(*a).linear / intact(*b).linear, 1000.0 / 150, exact);
@@ -197,7 +213,11 @@ TEST(PorousModel, ChangingTheModelIsChangingOneWord)
 TEST(PorousModel, AnUnknownModelIsRefusedInOpenFOAMsWords)
 {
     const std::string text = refusal("foo", "porosity 0.4;");
-    EXPECT_EQ(text.find("Unknown porousModel type foo\n\nValid porousModel types are:\n\n6\n(\n    akbari\n"), 0) << text;
+    EXPECT_EQ(
+        text.find(
+            "Unknown porousModel type foo\n\nValid porousModel types are:\n\n6\n(\n    akbari\n"),
+        0)
+        << text;
 }
 
 TEST(PorousModel, TheLogTellsFormulaAndResultingCoefficients)
@@ -205,8 +225,9 @@ TEST(PorousModel, TheLogTellsFormulaAndResultingCoefficients)
     const auto m = model("akbari", "porosity 0.49; D50 0.0159; betaC 2.0;");
     const std::string text = describe("rubble", *m, 1e-6);
     // a = 1000*1e-6*0.51^2/(0.49^3*0.0159^2) = 8.745, b = 2*0.51/(0.49^3*0.0159) = 545.3 by hand
-    for (const std::string part : {"Porous zone rubble", "akbari: a = 1000 nu", "D50 = 0.0159 m", "porosity = 0.49",
-                                   "a = 8.745 [1/s]", "b = 545.3 [1/m]", "K = 1.144e-07 [m^2]", "C_r = 1.354"})
+    for (const std::string part :
+         {"Porous zone rubble", "akbari: a = 1000 nu", "D50 = 0.0159 m", "porosity = 0.49",
+          "a = 8.745 [1/s]", "b = 545.3 [1/m]", "K = 1.144e-07 [m^2]", "C_r = 1.354"})
         EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }
 

@@ -33,20 +33,22 @@ TEST(TurbulenceModel, SmagorinskyIsTheSquareOfItsLengthTimesTheStrainRate)
 {
     const auto m = model("turbulenceModel Smagorinsky; SmagorinskyCoeffs { Cs 0.12; }");
     EXPECT_TRUE(m->active());
-    EXPECT_NEAR(nuT(*m, 7, 1, 0.02) / (sqr(0.12 * 0.02) * 7), 1, 1e-14);   // the same algebra
+    EXPECT_NEAR(nuT(*m, 7, 1, 0.02) / (sqr(0.12 * 0.02) * 7), 1, 1e-14);  // the same algebra
     EXPECT_EQ(nuT(*m, 0, 1, 0.02), 0);
 }
 
 TEST(TurbulenceModel, SmagorinskyNeedsNoCoefficients)
 {
-    EXPECT_EQ(nuT(*model("turbulenceModel Smagorinsky;"), 7, 1, 0.02),
-              nuT(*model("turbulenceModel Smagorinsky; SmagorinskyCoeffs { Cs 0.15; }"), 7, 1, 0.02));
+    EXPECT_EQ(
+        nuT(*model("turbulenceModel Smagorinsky;"), 7, 1, 0.02),
+        nuT(*model("turbulenceModel Smagorinsky; SmagorinskyCoeffs { Cs 0.15; }"), 7, 1, 0.02));
 }
 
 TEST(TurbulenceModel, SmagorinskyVanishesInThePores)
 {
     const auto m = model("turbulenceModel Smagorinsky;");
-    for (const Real porosity : {0.2, 0.4, 0.49, 0.8, 0.9}) EXPECT_EQ(nuT(*m, 100, porosity, 0.01), 0) << porosity;
+    for (const Real porosity : {0.2, 0.4, 0.49, 0.8, 0.9})
+        EXPECT_EQ(nuT(*m, 100, porosity, 0.01), 0) << porosity;
     EXPECT_GT(nuT(*m, 100, 0.91, 0.01), 0);
 }
 
@@ -62,7 +64,7 @@ TEST(TurbulenceModel, SmagorinskyFallsSmoothlyIntoTheSoil)
         EXPECT_LE(std::abs(share(porosity + step) - 2 * share(porosity) + share(porosity - step)),
                   6 / sqr(0.2) * sqr(step) * 1.01);
     }
-    EXPECT_NEAR(nuT(*m, 100, 0.9, 0.01) / clear, 0.5, 1e-14);   // half way, by symmetry
+    EXPECT_NEAR(nuT(*m, 100, 0.9, 0.01) / clear, 0.5, 1e-14);  // half way, by symmetry
 }
 
 TEST(TurbulenceModel, EachParticleIsItsOwn)
@@ -71,7 +73,8 @@ TEST(TurbulenceModel, EachParticleIsItsOwn)
     const std::vector<Real> strainRate{1, 2, 3}, porosity{1, 0.5, 0.95};
     std::vector<Real> out(3);
     m->eddyViscosity(strainRate, porosity, 0.01, out);
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(out[k], nuT(*m, strainRate[k], porosity[k], 0.01));
+    for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_EQ(out[k], nuT(*m, strainRate[k], porosity[k], 0.01));
 }
 
 TEST(TurbulenceModel, BadInputIsRefusedAtItsLine)
