@@ -4,6 +4,7 @@
 #include "integrator/Corrector.hpp"
 #include "integrator/Predictor.hpp"
 #include "integrator/Shifting.hpp"
+#include "operators/StrainRate.hpp"
 
 #include <cmath>
 
@@ -14,33 +15,7 @@ constexpr Real kSoilPorosity = 0.9;      // below it water is pulled into voids 
 constexpr Real kLeastSupport = 0.75;     // lambda/Dim for that
 constexpr Real kFullSupport = 0.95;      // lambda/Dim above which a thin spot is no surface
 constexpr int kRepeats = 3;              // pressure solves of a first step
-
-/// sum_j V_j W_ij on a full lattice of spacing d0.
-template <int Dim>
-Real fillingOfLattice(const Kernel& kernel, Real hOverSpacing)
-{
-    const int m = static_cast<int>(std::ceil(kernel.supportRadius() * hOverSpacing));
-    Real sum = 0;
-    for (int a = -m; a <= m; ++a)
-        for (int b = -m; b <= m; ++b)
-            for (int c = (Dim == 3 ? -m : 0); c <= (Dim == 3 ? m : 0); ++c) {
-                const Real q = std::sqrt(Real(a * a + b * b + c * c)) / hOverSpacing;
-                Real w = 0, slope = 0;
-                if (q < kernel.supportRadius())
-                    kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
-                sum += w;
-            }
-    return sum * kernel.normalisation(Dim) / std::pow(hOverSpacing, Dim);
-}
 }  // namespace
-
-template <int Dim>
-DragImplicitStep<Dim>::DragImplicitStep(Scene<Dim>& scene, Timers& timers)
-    : scene_(scene), timers_(timers), guard_(scene.wallCloud, scene.scheme.spacing),
-      latticeFilling_(fillingOfLattice<Dim>(*scene.kernel, scene.scheme.h0 / scene.scheme.spacing))
-{
-    fields_.noSlip = scene.noSlip;
-}
 
 template <int Dim>
 StepReport DragImplicitStep<Dim>::advance(Real dt, Real dtOld)
@@ -48,19 +23,12 @@ StepReport DragImplicitStep<Dim>::advance(Real dt, Real dtOld)
     StepReport report;
     const StepWeights weights{dt, dtOld > 0 ? dt / dtOld : 0};
     move(weights, report);
-    look();
-    if (scene_.porous) {
-        const auto& u = scene_.water.u;
-        auto& soil = fields_.soil;
-        fields_.resistance.resize(fields_.points.fluid);
-        parallelFor(fields_.points.water, [&](Index i) {
-            fields_.resistance[i] = soil.linear[i] + soil.quadratic[i] * soil.porosity[i] * norm(u[i]);
-        });
-        fields_.points.refresh(fields_.resistance);
-        project(WaterInSoil<Dim>{weights.dtPrime(), soil, fields_.resistance}, weights, report);
-    } else {
+    this->look();
+    dragAndEddies();
+    if (scene_.porous)
+        project(WaterInSoil<Dim>{weights.dtPrime(), fields_.soil, fields_.resistance}, weights, report);
+    else
         project(ClearWater<Dim>{weights.dtPrime()}, weights, report);
-    }
     const auto timer = timers_.scope("collisions and shifting");
     collide<Dim>(scene_.scheme, fields_, scene_.wallCloud.normal, scene_.wallCloud.depth, scene_.water);
     report.continuity = shift(*scene_.kernel, scene_.scheme, dt, fields_, scene_.water);
@@ -75,37 +43,37 @@ void DragImplicitStep<Dim>::move(const StepWeights& weights, StepReport& report)
     parallelFor(water.size(), [&](Index i) {
         water.x[i] += weights.dt * (water.u[i] + Real(0.5) * weights.ratio * (water.u[i] - water.uOld[i]));
     });
-    report.putBack = guard_.keepOut(water.x);
+    report.putBack = this->guard_.keepOut(water.x);
     if (scene_.box.any())
         parallelFor(water.size(), [&](Index i) { water.x[i] = scene_.box.wrap(water.x[i]); });
 }
 
+/// r_i = a_i + b_i |v_i| of the step's start, and the eddy viscosity.                (3.4), (8.1)
 template <int Dim>
-void DragImplicitStep<Dim>::look()
+void DragImplicitStep<Dim>::dragAndEddies()
 {
-    const Water<Dim>& water = scene_.water;
-    const Scheme<Dim>& scheme = scene_.scheme;
-    Points<Dim>& points = fields_.points;
+    const Points<Dim>& points = fields_.points;
+    const auto& u = scene_.water.u;
     auto& soil = fields_.soil;
     if (scene_.porous) {
-        const auto timer = timers_.scope("porosity");
-        scene_.porous->evaluate(water.x, soil);
-    } else {
-        soil.porosity.assign(water.size(), 1);
+        fields_.resistance.resize(points.fluid);
+        parallelFor(points.water, [&](Index i) {
+            fields_.resistance[i] = soil.linear[i] + soil.quadratic[i] * soil.porosity[i] * norm(u[i]);
+        });
+        points.refresh(fields_.resistance);
     }
-    {
-        const auto timer = timers_.scope("neighbours");
-        layPoints<Dim>(water, soil.porosity, scene_.wallCloud, scene_.box, scheme.spacing, scheme.h0,
-                       scene_.kernel->supportRadius(), points);
-        dryWalls(scene_.wallCloud, scheme.spacing, scheme.h0, points);
-        fields_.pairs.build(points, *scene_.kernel);
-    }
-    const auto timer = timers_.scope("corrections and surface");
-    fields_.corrections.compute(points, fields_.pairs);
-    findFreeSurface(points, fields_.pairs, fields_.corrections, fields_.role);
-    if (scene_.porous) {
-        const auto refresh = [&](auto& field) { field.resize(points.fluid), points.refresh(field); };
-        refresh(soil.porosity), refresh(soil.share), refresh(soil.mobility), refresh(soil.normal);
+    if (scene_.turbulence) {
+        const auto timer = timers_.scope("turbulence");
+        std::vector<Vec<Dim>> all(u);
+        std::vector<Real> rate;
+        all.resize(points.fluid);
+        points.refresh(all);
+        strainRate<Dim>(points, fields_.pairs, fields_.corrections, all, rate);
+        fields_.eddyViscosity.resize(points.fluid);
+        scene_.turbulence->eddyViscosity(rate, Span<const Real>(soil.porosity).first(rate.size()),
+                                         scene_.scheme.spacing,
+                                         Span<Real>(fields_.eddyViscosity).first(rate.size()));
+        points.refresh(fields_.eddyViscosity);
     }
 }
 
@@ -136,7 +104,7 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
     const Scheme<Dim>& scheme = scene_.scheme;
     const Water<Dim>& water = scene_.water;
     const Index n = fields_.points.water;
-    const Real U = std::sqrt(orderedMax(n, 0, [&](Index i) { return normSqr(water.u[i]); }));
+    const Real U = internalSpeed(water.u);
     Real rate = 0;
     if (scheme.stabilisation == Stabilisation::relaxedDensity)
         rate = std::min(1 / scheme.relaxationTime, scheme.speedFactor * U / scheme.spacing);
@@ -172,9 +140,11 @@ void DragImplicitStep<Dim>::solvePressure(const auto& medium, StepReport& report
     const auto timer = timers_.scope("pressure solve");
     unknown_.resize(rows_.size());
     parallelFor(rows_.size(), [&](Index r) { unknown_[r] = water.p[rows_.particle[r]] / scene_.scheme.density; });
+    const FloatingComponents& floating = components_.find(matrix_, anchored_);
+    makeSolvable(matrix_, rhs_, floating);
     report.pressure = scene_.solver->solve(matrix_, rhs_, unknown_);
+    removeMean(unknown_, floating);
     report.unknowns = rows_.size();
-    ++report.pressureSolves;
     report.surfaceParticles = points.water - static_cast<Index>(rows_.size());
     fields_.p.resize(points.fluid);
     parallelFor(points.water, [&](Index i) {

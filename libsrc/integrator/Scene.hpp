@@ -6,6 +6,7 @@
 #include "particles/Particles.hpp"
 #include "porous/PorousField.hpp"
 #include "pressure/PressureSolver.hpp"
+#include "turbulence/TurbulenceModel.hpp"
 
 #include <memory>
 
@@ -23,6 +24,7 @@ struct Scene {
     std::vector<char> noSlip;                       ///< of the wall cloud, empty where all walls slip
     Soil<Dim> soil;
     std::unique_ptr<PorousField<Dim>> porous;       ///< null without soil
+    std::unique_ptr<TurbulenceModel> turbulence;    ///< null when laminar
 };
 
 }  // namespace isph

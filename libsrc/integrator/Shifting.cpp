@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrator/Shifting.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isph {
+
+template <int Dim>
+Real internalSpeed(const std::vector<Vec<Dim>>& u)
+{
+    const std::size_t n = u.size();
+    const Vec<Dim> mean = orderedSum(n, [&](Index i) { return u[i]; }) / std::max<Real>(1, static_cast<Real>(n));
+    return std::sqrt(orderedMax(n, 0, [&](Index i) { return normSqr(u[i] - mean); }));
+}
 
 namespace {
 constexpr Real kTensile = 0.2;             // [Monaghan 2000], power 4
@@ -28,7 +37,7 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
 {
     const Points<Dim>& points = fields.points;
     const Index n = points.water;
-    const Real U = std::sqrt(orderedMax(n, 0, [&](Index i) { return normSqr(water.u[i]); }));
+    const Real U = internalSpeed(water.u);
     const Real qLattice = scheme.spacing / scheme.h0;
     Real w = 0, slope = 0;
     kernel.evaluate(Span<const Real>(&qLattice, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
@@ -101,6 +110,8 @@ void collide(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, Span<cons
     });
 }
 
+template Real internalSpeed(const std::vector<Vec<2>>&);
+template Real internalSpeed(const std::vector<Vec<3>>&);
 template Real shift(const Kernel&, const Scheme<2>&, Real, const StepFields<2>&, Water<2>&);
 template Real shift(const Kernel&, const Scheme<3>&, Real, const StepFields<3>&, Water<3>&);
 template void collide(const Scheme<2>&, const StepFields<2>&, Span<const Vec<2>>, Span<const Real>, Water<2>&);

@@ -38,9 +38,9 @@ void Corrections<Dim>::compute(const Points<Dim>& points, const PairList<Dim>& p
         };
         pairs.forWater(i, add);
         Lwater[i] = blendedInverse(A);
-        seen[i] = Lwater[i] * A;
         pairs.forWalls(i, add);
         L[i] = blendedInverse(A);
+        seen[i] = L[i] * A;
         lambda[i] = trace(A);
         filling[i] = fill;
         lopsided[i] = side;

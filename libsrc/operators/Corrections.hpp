@@ -18,8 +18,8 @@ struct Corrections {
     /// Corrections L of grad f = sum_j V_j (f_j - f_i) L gradW_ij, exact for linear f: with water and
     /// walls (for the divergence), with water only (for the pressure gradient).      [Bonet & Lok 1999]
     std::vector<Mat<Dim>> L, Lwater;
-    /// L A with the A that L inverts, from water: the identity where L is the full inverse; what is
-    /// missing from it is the share of a linear field that the blended gradient does not see.
+    /// L A with the A that L inverts: the identity where L is the full inverse; what is missing from
+    /// it is the share of a linear field that the blended gradient does not see.
     std::vector<Mat<Dim>> seen;
     /// sum_j V_j F_ij x_ij over water and walls [1/m]: zero where the support is complete.
     std::vector<Vec<Dim>> lopsided;

@@ -34,7 +34,7 @@ struct WaterInSoil {
     Real mobility(Index i) const { return state.mobility[i]; }
     /// s_i = 1/(1 + k_i dt' r_i), the share of its momentum that drag leaves a particle.
     Real damping(Index i) const { return 1 / (1 + state.mobility[i] * dt * resistance[i]); }
-    /// s_ij with k_ij the harmonic and r_ij the arithmetic mean.
+    /// s_ij with k_ij the harmonic and r_ij the arithmetic mean along the line from i to j.
     Real damping(Index i, Index j) const { return 1 / (1 + pairMobility(i, j) * dt * pairResistance(i, j)); }
     /// beta = k dt' s, what a pressure gradient does to v_D.
     Real beta(Index i) const { return state.mobility[i] * dt * damping(i); }
@@ -43,12 +43,23 @@ struct WaterInSoil {
     Vec<Dim> normal(Index i, Index j) const { return unit(state.normal[i] + state.normal[j]); }
 
 private:
+    /// Share of the line from i to j that has the soil (or water) of i: a soil surface, phi = 1/2, cuts
+    /// it in proportion; elsewhere one half.                                         [theory (4.8)]
+    Real weight(Index i, Index j) const
+    {
+        const Real a = state.share[i] - Real(0.5), b = state.share[j] - Real(0.5);
+        return a * b < 0 ? a / (a - b) : Real(0.5);
+    }
     Real pairMobility(Index i, Index j) const
     {
-        const Real ki = state.mobility[i], kj = state.mobility[j];
-        return 2 * ki * kj / (ki + kj);
+        const Real t = weight(i, j);
+        return 1 / (t / state.mobility[i] + (1 - t) / state.mobility[j]);
     }
-    Real pairResistance(Index i, Index j) const { return Real(0.5) * (resistance[i] + resistance[j]); }
+    Real pairResistance(Index i, Index j) const
+    {
+        const Real t = weight(i, j);
+        return t * resistance[i] + (1 - t) * resistance[j];
+    }
 };
 
 }  // namespace isph

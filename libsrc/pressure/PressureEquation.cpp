@@ -32,6 +32,14 @@ Vec<Dim> pairFlux(const Medium& medium, Index i, Index j, Real s_i, const Vec<Di
     }
 }
 
+/// a, shortened to the given length where it is longer.
+template <int Dim>
+Vec<Dim> atMost(const Vec<Dim>& a, Real length)
+{
+    const Real n = norm(a);
+    return n > length ? (length / n) * a : a;
+}
+
 void countEntries(const PressureRows& rows, const auto& pairs, const auto& points, const auto& role,
                   SymmetricMatrix& matrix)
 {
@@ -94,8 +102,10 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
             divergence -= points.volume[pair.j] * s_i * dot(w_i, corrections.L[i] * pair.gradW());
         });
         Real deferred = 0;
-        if (role[i] == SurfaceRole::near)
-            deferred = -medium.beta(i) * dot(source.forceGradient[i], corrections.lopsided[i]);
+        if (role[i] == SurfaceRole::near) {
+            const Vec<Dim> c = atMost(source.forceGradient[i], norm(source.force));
+            deferred = -medium.beta(i) * dot(c, corrections.lopsided[i]);
+        }
         matrix.diagonal[r] = V_i * diagonal;
         rhs[r] = -V_i * (divergence - source.divergence[i] + gravity + deferred);
         if (points.images() > 0) sortRow(matrix, matrix.rowStart[r], matrix.rowStart[r + 1]);

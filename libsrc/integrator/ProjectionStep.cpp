@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "integrator/ProjectionStep.hpp"
+
+#include <cmath>
+
+namespace isph {
+
+namespace {
+/// sum_j V_j W_ij on a full lattice of spacing d0.
+template <int Dim>
+Real fillingOfLattice(const Kernel& kernel, Real hOverSpacing)
+{
+    const int m = static_cast<int>(std::ceil(kernel.supportRadius() * hOverSpacing));
+    Real sum = 0;
+    for (int a = -m; a <= m; ++a)
+        for (int b = -m; b <= m; ++b)
+            for (int c = (Dim == 3 ? -m : 0); c <= (Dim == 3 ? m : 0); ++c) {
+                const Real q = std::sqrt(Real(a * a + b * b + c * c)) / hOverSpacing;
+                Real w = 0, slope = 0;
+                if (q < kernel.supportRadius())
+                    kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
+                sum += w;
+            }
+    return sum * kernel.normalisation(Dim) / std::pow(hOverSpacing, Dim);
+}
+}  // namespace
+
+template <int Dim>
+ProjectionStep<Dim>::ProjectionStep(Scene<Dim>& scene, Timers& timers)
+    : scene_(scene), timers_(timers), guard_(scene.wallCloud, scene.scheme.spacing),
+      latticeFilling_(fillingOfLattice<Dim>(*scene.kernel, scene.scheme.h0 / scene.scheme.spacing))
+{
+    fields_.noSlip = scene.noSlip;
+}
+
+template <int Dim>
+void ProjectionStep<Dim>::look()
+{
+    const Water<Dim>& water = scene_.water;
+    const Scheme<Dim>& scheme = scene_.scheme;
+    Points<Dim>& points = fields_.points;
+    auto& soil = fields_.soil;
+    if (scene_.porous) {
+        const auto timer = timers_.scope("porosity");
+        scene_.porous->evaluate(water.x, soil);
+    } else {
+        soil.porosity.assign(water.size(), 1);
+    }
+    {
+        const auto timer = timers_.scope("neighbours");
+        layPoints<Dim>(water, soil.porosity, scene_.wallCloud, scene_.box, scheme.spacing, scheme.h0,
+                       scene_.kernel->supportRadius(), points);
+        dryWalls(scene_.wallCloud, scheme.spacing, scheme.h0, points);
+        fields_.pairs.build(points, *scene_.kernel);
+    }
+    const auto timer = timers_.scope("corrections and surface");
+    fields_.corrections.compute(points, fields_.pairs);
+    findFreeSurface(points, fields_.pairs, fields_.corrections, fields_.role);
+    if (scene_.porous) {
+        const auto refresh = [&](auto& field) { field.resize(points.fluid), points.refresh(field); };
+        refresh(soil.porosity), refresh(soil.share), refresh(soil.mobility), refresh(soil.normal);
+    }
+}
+
+template class ProjectionStep<2>;
+template class ProjectionStep<3>;
+
+}  // namespace isph
