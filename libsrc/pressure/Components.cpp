@@ -3,14 +3,15 @@
 
 namespace isph {
 
-const FloatingComponents& ComponentFinder::find(const SymmetricMatrix& matrix, Span<const char> anchored)
+const FloatingComponents& ComponentFinder::find(const SymmetricMatrix& matrix,
+                                                Span<const char> anchored)
 {
     const auto n = static_cast<Index>(matrix.size());
     floating_.start.assign(1, 0);
     floating_.row.clear();
     reached_.resize(n);
     for (Index i = 0; i < n; ++i) reached_[i] = anchored[i] != 0;
-    // Two sweeps reach nearly all rows, for most of them at the first or second neighbour looked at.
+    // Two sweeps reach nearly all rows, most of them by the first or second neighbour.
     for (Index i = n; i-- > 0;) sweep(matrix, i);
     for (Index i = 0; i < n; ++i) sweep(matrix, i);
     for (Index i = 0; i < n; ++i)

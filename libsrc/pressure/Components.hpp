@@ -9,7 +9,7 @@ namespace isph {
 
 /// Rows of the floating components, one component after the other. Each begins with its lowest row.
 struct FloatingComponents {
-    std::vector<PairIndex> start{0};   ///< size()+1
+    std::vector<PairIndex> start{0};  ///< size()+1
     std::vector<Index> row;
 
     std::size_t size() const { return start.size() - 1; }
@@ -22,9 +22,9 @@ struct FloatingComponents {
 /// Finds the connected components without an anchored row. It keeps its work array.
 class ComponentFinder {
 public:
-    /// anchored[i] != 0: row i has a neighbour whose pressure is given, so its diagonal exceeds the sum
-    /// of its off-diagonals by construction. Coefficients that are 0 connect nothing. Costs a few looks
-    /// at each row where every row is reached from an anchored one, O(nonzeros) at most.
+    /// anchored[i] != 0: row i has a neighbour whose pressure is given, so its diagonal exceeds the
+    /// sum of its off-diagonals by construction. Coefficients that are 0 connect nothing. Costs a
+    /// few looks at each row where every row is reached from an anchored one, O(nonzeros) at most.
     const FloatingComponents& find(const SymmetricMatrix& matrix, Span<const char> anchored);
 
 private:

@@ -19,9 +19,14 @@ Schema SolverControls::keys()
     return {
         Key::word("solver", "Solver of the pressure equation."),
         Key::scalar("tolerance", "Converged where |b - A p| <= tolerance |b|.")
-            .byDefault("1e-6").above(0).below(1),
-        Key::scalar("relTol", "Converged also where |b - A p| <= relTol times its value at the start.")
-            .byDefault("0").atLeast(0).below(1),
+            .byDefault("1e-6")
+            .above(0)
+            .below(1),
+        Key::scalar("relTol",
+                    "Converged also where |b - A p| <= relTol times its value at the start.")
+            .byDefault("0")
+            .atLeast(0)
+            .below(1),
         Key::integer("maxIter", "Most iterations of one solve.").byDefault("500").atLeast(1),
     };
 }

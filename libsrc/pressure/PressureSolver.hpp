@@ -11,12 +11,12 @@ namespace isph {
 
 /// |r|_2/|b|_2 before and after; both 0 for b = 0.
 struct SolverReport {
-    std::string solver;          ///< as printed in the log: "PCG", "cholmod", ...
+    std::string solver;  ///< as printed in the log: "PCG", "cholmod", ...
     Real initialResidual = 0;
-    Real finalResidual = 0;      ///< of the true residual b - A x, computed anew
+    Real finalResidual = 0;  ///< of the true residual b - A x, computed anew
     int iterations = 0;
     bool converged = false;
-    std::string remark{};        ///< what was out of the ordinary; empty: nothing
+    std::string remark{};  ///< what was out of the ordinary; empty: nothing
 };
 
 /// When a solver stops: the keys that every pressure { ... } dictionary has.
@@ -31,7 +31,10 @@ struct SolverControls {
     explicit SolverControls(const Dictionary& pressure);
 
     /// The norm of the residual that is small enough.
-    Real target(Real bNorm, Real initialNorm) const { return std::max(tolerance * bNorm, relTol * initialNorm); }
+    Real target(Real bNorm, Real initialNorm) const
+    {
+        return std::max(tolerance * bNorm, relTol * initialNorm);
+    }
 };
 
 class PressureSolver {
@@ -39,15 +42,16 @@ public:
     static constexpr const char* family = "pressureSolver";
     using Table = ModelTable<PressureSolver>;
     static Table& table();
-    /// The solver that the dictionary names: pressure { solver PCG; tolerance 1e-6; relTol 0; maxIter 200; }
+    /// The solver that the dictionary names:
+    ///     pressure { solver PCG; tolerance 1e-6; relTol 0; maxIter 200; }
     static std::unique_ptr<PressureSolver> select(const Dictionary& pressure);
 
     virtual ~PressureSolver() = default;
 
-    /// Solves A x = b from the guess in x, to |r| <= max(tolerance |b|, relTol |r0|). b = 0 gives x = 0.
-    /// Throws FatalError where the matrix, b or the guess hold a number that is not finite.
+    /// Solves A x = b from the guess in x, to |r| <= max(tolerance |b|, relTol |r0|).
+    /// b = 0 gives x = 0. Throws FatalError where A, b or x hold a number that is not finite.
     virtual SolverReport solve(const SymmetricMatrix& matrix, Span<const Real> b, Span<Real> x) = 0;
-    /// Drops whatever is kept from earlier steps, so that a restarted run goes on with the same bits.
+    /// Drops whatever is kept from earlier steps: a restarted run then goes on with the same bits.
     virtual void forget() {}
 };
 

@@ -41,8 +41,8 @@ Real residual(const SymmetricMatrix& matrix, Span<const Real> x, Span<const Real
 
 Real residualNorm(const SymmetricMatrix& matrix, Span<const Real> x, Span<const Real> b)
 {
-    return std::sqrt(orderedSum(matrix.size(),
-                                [&](Index i) { return sqr(b[i] - rowTimes(matrix, x, i)); }));
+    return std::sqrt(
+        orderedSum(matrix.size(), [&](Index i) { return sqr(b[i] - rowTimes(matrix, x, i)); }));
 }
 
 }  // namespace isph

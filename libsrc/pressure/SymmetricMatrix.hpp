@@ -9,7 +9,7 @@ namespace isph {
 
 /// Rows hold both halves of the off-diagonal entries, columns ascending; the diagonal stands apart.
 struct SymmetricMatrix {
-    std::vector<PairIndex> rowStart{0};   ///< size()+1
+    std::vector<PairIndex> rowStart{0};  ///< size()+1
     std::vector<Index> column;
     std::vector<Real> offDiagonal;
     std::vector<Real> diagonal;

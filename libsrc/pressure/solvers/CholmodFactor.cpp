@@ -42,13 +42,13 @@ private:
 struct CholmodFactor::State {
     cholmod_common common{};
     cholmod_factor* factor = nullptr;
-    bool numeric = false;                ///< the factor holds numbers, not only the pattern
-    cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;   ///< kept by CHOLMOD between solves
-    std::vector<PairIndex> rowStart;     ///< pattern that was analysed
+    bool numeric = false;  ///< the factor holds numbers, not only the pattern
+    cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;  ///< kept by CHOLMOD between solves
+    std::vector<PairIndex> rowStart;                         ///< pattern that was analysed
     std::vector<Index> column;
-    std::vector<int> ordering;           ///< found anew last, for freshFill entries of the factor
+    std::vector<int> ordering;  ///< found anew last, for freshFill entries of the factor
     double freshFill = 0;
-    std::vector<int> start, row;         ///< lower half with diagonal, by columns, as CHOLMOD wants it
+    std::vector<int> start, row;  ///< lower half with diagonal, by columns, as CHOLMOD wants it
     std::vector<Real> value;
 
     State()
@@ -131,12 +131,18 @@ bool CholmodFactor::State::analyseInKeptOrder(cholmod_sparse& a)
 void CholmodFactor::State::check() const
 {
     if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
-        throw FatalError(fmt::format("CHOLMOD: the factor of {} rows is too large for {}. Choose solver PCG.",
-            start.size() - 1, common.status == CHOLMOD_TOO_LARGE ? "32-bit addresses" : "the memory"));
-    if (common.status < 0) throw FatalError(fmt::format("CHOLMOD failed with status {}.", common.status));
+        throw FatalError(
+            fmt::format("CHOLMOD: the factor of {} rows is too large for {}. Choose solver PCG.",
+                        start.size() - 1,
+                        common.status == CHOLMOD_TOO_LARGE ? "32-bit addresses" : "the memory"));
+    if (common.status < 0)
+        throw FatalError(fmt::format("CHOLMOD failed with status {}.", common.status));
 }
 
-CholmodFactor::CholmodFactor() : state_(std::make_unique<State>()) { useOneBlasThread(); }
+CholmodFactor::CholmodFactor() : state_(std::make_unique<State>())
+{
+    useOneBlasThread();
+}
 CholmodFactor::~CholmodFactor() = default;
 
 bool CholmodFactor::factorise(const SymmetricMatrix& matrix)
@@ -168,7 +174,7 @@ void CholmodFactor::apply(Span<const Real> r, Span<Real> z)
     cholmod_dense b{};
     b.nrow = b.d = b.nzmax = r.size();
     b.ncol = 1;
-    b.x = const_cast<Real*>(r.data());   // CHOLMOD does not write to it
+    b.x = const_cast<Real*>(r.data());  // CHOLMOD does not write to it
     b.xtype = CHOLMOD_REAL, b.dtype = CHOLMOD_DOUBLE;
     cholmod_solve2(CHOLMOD_A, s.factor, &b, nullptr, &s.x, nullptr, &s.y, &s.e, &s.common);
     s.check();
@@ -176,7 +182,10 @@ void CholmodFactor::apply(Span<const Real> r, Span<Real> z)
     std::copy(x, x + r.size(), z.begin());
 }
 
-bool CholmodFactor::holds(std::size_t n) const { return state_->numeric && state_->factor->n == n; }
+bool CholmodFactor::holds(std::size_t n) const
+{
+    return state_->numeric && state_->factor->n == n;
+}
 
 void CholmodFactor::forget()
 {

@@ -7,10 +7,11 @@
 
 namespace isph {
 
-/// P A P^T = L L^T (Chen, Davis, Hager & Rajamanickam 2008, ACM TOMS 35(3), 22). The symbolic factor is
-/// kept while the pattern of A stays the same, and the fill-reducing ordering P while the number of
-/// rows stays the same and P serves well: to find P takes up to twice the time of the factor itself.
-/// CHOLMOD and its BLAS run on one thread, so the bits do not depend on the number of threads.
+/// P A P^T = L L^T (Chen, Davis, Hager & Rajamanickam 2008, ACM TOMS 35(3), 22). The symbolic
+/// factor is kept while the pattern of A stays the same, and the fill-reducing ordering P while the
+/// number of rows stays the same and P serves well: to find P takes up to twice the time of the
+/// factor itself. CHOLMOD and its BLAS run on one thread, so the bits do not depend on the number
+/// of threads.
 class CholmodFactor : public Preconditioner {
 public:
     CholmodFactor();

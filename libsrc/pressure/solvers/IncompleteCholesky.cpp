@@ -9,8 +9,8 @@
 namespace isph {
 
 namespace {
-constexpr std::size_t kLeastRows = 2000;   ///< below, two starts do not pay for starting threads
-constexpr Real kLeastPivot = 1e-13;     ///< of the diagonal; below, only rounding is left of it
+constexpr std::size_t kLeastRows = 2000;  ///< below, two starts do not pay for starting threads
+constexpr Real kLeastPivot = 1e-13;       ///< of the diagonal; below, only rounding is left of it
 }  // namespace
 
 std::optional<Real> IncompleteCholesky::factorise(const SymmetricMatrix& matrix)
@@ -30,7 +30,7 @@ void IncompleteCholesky::number(const SymmetricMatrix& matrix)
     for (Index i = 0; i < half; ++i) newRow_[i] = i;
     Index upper = half, middle = n;
     for (Index i = half; i < n; ++i) {
-        const PairIndex first = matrix.rowStart[i];   // columns ascend: the first one tells
+        const PairIndex first = matrix.rowStart[i];  // columns ascend: the first one tells
         const bool touches = first < matrix.rowStart[i + 1] && matrix.column[first] < half;
         newRow_[i] = touches ? --middle : -1;
     }
@@ -71,7 +71,8 @@ bool IncompleteCholesky::eliminate(const SymmetricMatrix& matrix, Real shift)
     return positive && eliminate(matrix, sections_[2], shift, work_[0]);
 }
 
-bool IncompleteCholesky::eliminate(const SymmetricMatrix& matrix, Section section, Real shift, Workspace& work)
+bool IncompleteCholesky::eliminate(const SymmetricMatrix& matrix, Section section, Real shift,
+                                   Workspace& work)
 {
     if (work.slot.size() < matrix.size()) work.slot.resize(matrix.size(), 0);
     for (Index k = section.first; k < section.last; ++k)
@@ -81,7 +82,8 @@ bool IncompleteCholesky::eliminate(const SymmetricMatrix& matrix, Section sectio
 
 /// Row k of U = D L^T and of L; the rows of its lower columns are complete.
 /// The lower half is eliminated as well: by symmetry it has the values of the columns of U.
-bool IncompleteCholesky::eliminateRow(const SymmetricMatrix& matrix, Index k, Real shift, Workspace& work)
+bool IncompleteCholesky::eliminateRow(const SymmetricMatrix& matrix, Index k, Real shift,
+                                      Workspace& work)
 {
     const Index i = oldRow_[k];
     const auto slots = static_cast<Index>(2 + matrix.rowStart[i + 1] - matrix.rowStart[i]);

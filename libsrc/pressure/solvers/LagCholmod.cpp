@@ -10,8 +10,10 @@ const PressureSolver::Table::Entry<LagCholmod> entry{"lagCholmod"};
 Schema LagCholmod::keys()
 {
     return SolverControls::keys().add(
-        Key::integer("refactorIterations", "Iterations after which the kept factor is replaced by a new one.")
-            .byDefault("12").atLeast(1));
+        Key::integer("refactorIterations",
+                     "Iterations after which the kept factor is replaced by a new one.")
+            .byDefault("12")
+            .atLeast(1));
 }
 
 LagCholmod::LagCholmod(const Dictionary& pressure)
@@ -24,7 +26,8 @@ SolverReport LagCholmod::solve(const SymmetricMatrix& matrix, Span<const Real> b
     r_.resize(matrix.size());
     Solve solve("lagCholmod", controls_, matrix, b, x, r_);
     if (!solve.done() && factor_.holds(matrix.size()))
-        conjugateGradients_.run(solve, factor_, std::min(refactorIterations_, solve.iterationsLeft()));
+        conjugateGradients_.run(solve, factor_,
+                                std::min(refactorIterations_, solve.iterationsLeft()));
     if (solve.done() || solve.iterationsLeft() == 0) return solve.report();
     if (factor_.factorise(matrix))
         conjugateGradients_.run(solve, factor_, solve.iterationsLeft());

@@ -9,7 +9,7 @@ namespace isph {
 
 namespace {
 const PressureSolver::Table::Entry<PCG> entry{"PCG"};
-/// Share of the dropped fill that MIC0 keeps on the diagonal: below 1, so that pivots stay positive.
+/// Share of the dropped fill that MIC0 keeps on the diagonal; below 1, pivots stay positive.
 constexpr Real kRelaxation = 0.97;
 }  // namespace
 
@@ -18,7 +18,8 @@ bool JacobiPreconditioner::setUp(const SymmetricMatrix& matrix)
     const std::size_t n = matrix.size();
     inverse_.resize(n);
     parallelFor(n, [&](Index i) { inverse_[i] = 1 / matrix.diagonal[i]; });
-    return std::all_of(matrix.diagonal.begin(), matrix.diagonal.end(), [](Real d) { return d > 0; });
+    return std::all_of(matrix.diagonal.begin(), matrix.diagonal.end(),
+                       [](Real d) { return d > 0; });
 }
 
 void JacobiPreconditioner::apply(Span<const Real> r, Span<Real> z)
@@ -29,8 +30,11 @@ void JacobiPreconditioner::apply(Span<const Real> r, Span<Real> z)
 Schema PCG::keys()
 {
     return SolverControls::keys().add(
-        Key::word("preconditioner", "MIC0 and IC0: incomplete Cholesky factor, modified and plain; Jacobi: the diagonal.")
-            .byDefault("MIC0").oneOf({"MIC0", "IC0", "Jacobi"}));
+        Key::word(
+            "preconditioner",
+            "MIC0 and IC0: incomplete Cholesky factor, modified and plain; Jacobi: the diagonal.")
+            .byDefault("MIC0")
+            .oneOf({"MIC0", "IC0", "Jacobi"}));
 }
 
 PCG::PCG(const Dictionary& pressure)

@@ -16,7 +16,8 @@ private:
 };
 
 /// Conjugate gradients with a preconditioner made anew from every matrix:
-///   MIC0    modified incomplete Cholesky factor, 0.97 of the dropped fill on the diagonal: iterations
+///   MIC0    modified incomplete Cholesky factor, 0.97 of the dropped fill on the diagonal:
+///   iterations
 ///           grow with N^(1/4) in 2-D, the others' with N^(1/2)
 ///   IC0     incomplete Cholesky factor
 ///   Jacobi  the diagonal

@@ -16,8 +16,9 @@ Solve::Solve(const char* solver, const SolverControls& controls, const Symmetric
 {
     const std::size_t n = matrix.size();
     if (b.size() != n || x.size() != n)
-        throw FatalError(fmt::format("The pressure equation has {} rows, but b has {} and p has {} values.",
-                                     n, b.size(), x.size()));
+        throw FatalError(
+            fmt::format("The pressure equation has {} rows, but b has {} and p has {} values.", n,
+                        b.size(), x.size()));
     report_.solver = solver;
     bNorm_ = std::sqrt(orderedSum(n, [&](Index i) { return sqr(b[i]); }));
     if (bNorm_ == 0) {
@@ -37,7 +38,10 @@ void Solve::remark(const std::string& text)
     report_.remark += text;
 }
 
-void Solve::measure() { norm_ = residual(matrix_, x_, b_, r_); }
+void Solve::measure()
+{
+    norm_ = residual(matrix_, x_, b_, r_);
+}
 
 SolverReport Solve::report() const
 {
@@ -61,7 +65,8 @@ void Solve::failNotFinite() const
                 fail("an off-diagonal coefficient", i, matrix_.offDiagonal[k]);
         if (!std::isfinite(x_[i])) fail("the first guess of the pressure", i, x_[i]);
     }
-    throw FatalError("The pressure equation cannot be solved: its numbers are too large to be squared.");
+    throw FatalError(
+        "The pressure equation cannot be solved: its numbers are too large to be squared.");
 }
 
 }  // namespace isph

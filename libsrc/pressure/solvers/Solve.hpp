@@ -18,7 +18,7 @@ public:
     Span<Real> r() { return r_; }
 
     Real target() const { return target_; }
-    Real norm() const { return norm_; }              ///< |r| as measured last
+    Real norm() const { return norm_; }  ///< |r| as measured last
     bool done() const { return norm_ <= target_; }
     int iterationsLeft() const { return controls_.maxIter - report_.iterations; }
     void countIteration() { ++report_.iterations; }

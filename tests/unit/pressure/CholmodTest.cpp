@@ -42,7 +42,8 @@ TEST(Cholmod, SolvesInOneIterationWhateverChangedSinceTheLastStep)
 {
     const auto solver = solverOf("solver cholmod; tolerance 1e-9;");
     Scene grown(50, 41);
-    for (const ParticleSystem& s : {moved(0.2), moved(0.21), moved(0.29), particleSystem(grown), moved(0.2)}) {
+    for (const ParticleSystem& s :
+         {moved(0.2), moved(0.21), moved(0.29), particleSystem(grown), moved(0.2)}) {
         const SolverReport report = solveFromZero(*solver, s);
         EXPECT_TRUE(report.converged);
         EXPECT_EQ(report.iterations, 1);
@@ -78,7 +79,8 @@ TEST(Cholmod, SolvesAlsoWhereParticlesWereRenumbered)
     const ParticleSystem s = particleSystem(Scene(50, 40));
     const std::size_t n = s.b.size();
     std::vector<Index> rowOf(n);
-    for (std::size_t i = 0; i < n; ++i) rowOf[i] = static_cast<Index>(i * 7 % n);   // 7 does not divide n
+    for (std::size_t i = 0; i < n; ++i)
+        rowOf[i] = static_cast<Index>(i * 7 % n);  // 7 does not divide n
     ASSERT_NE(n % 7, 0u);
     std::vector<std::vector<Real>> dense(n, std::vector<Real>(n, 0));
     for (std::size_t i = 0; i < n; ++i) {
@@ -97,12 +99,12 @@ TEST(LagCholmod, NeedsFewIterationsWithTheFactorOfAnEarlierStep)
 {
     const auto solver = solverOf("solver lagCholmod;");
     EXPECT_EQ(solveFromZero(*solver, moved(0.2)).iterations, 1);
-    for (const Real jitter : {0.201, 0.202, 0.205}) {   // pairs enter and leave the support
+    for (const Real jitter : {0.201, 0.202, 0.205}) {  // pairs enter and leave the support
         const ParticleSystem s = moved(jitter);
         const SolverReport report = solveFromZero(*solver, s);
         EXPECT_TRUE(report.converged);
         EXPECT_GT(report.iterations, 1) << "the factor was made anew";
-        EXPECT_LE(report.iterations, 5);   // 3 to 4 are usual where particles move by 1 % of d0
+        EXPECT_LE(report.iterations, 5);  // 3 to 4 are usual where particles move by 1 % of d0
     }
 }
 
@@ -116,7 +118,7 @@ TEST(LagCholmod, MakesANewFactorWhereTheOldOneServesBadly)
     const SolverReport first = solveFromZero(*solver, s);
     EXPECT_TRUE(first.converged);
     EXPECT_GT(first.iterations, 6);
-    EXPECT_LE(first.iterations, 6 + 2);   // the new factor is exact but for rounding
+    EXPECT_LE(first.iterations, 6 + 2);  // the new factor is exact but for rounding
     EXPECT_LE(solveFromZero(*solver, s).iterations, 2);
 }
 

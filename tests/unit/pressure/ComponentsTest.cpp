@@ -13,7 +13,8 @@ using namespace isph::test;
 
 namespace {
 /// Components without an anchor by repeated relabelling, the slow and plain way.
-std::set<std::set<Index>> floatingByRelabelling(const SymmetricMatrix& a, const std::vector<char>& anchored)
+std::set<std::set<Index>> floatingByRelabelling(const SymmetricMatrix& a,
+                                                const std::vector<char>& anchored)
 {
     const std::size_t n = a.size();
     std::vector<Index> label(n);
@@ -22,7 +23,8 @@ std::set<std::set<Index>> floatingByRelabelling(const SymmetricMatrix& a, const 
         changed = false;
         for (std::size_t i = 0; i < n; ++i)
             for (PairIndex k = a.rowStart[i]; k < a.rowStart[i + 1]; ++k)
-                if (a.offDiagonal[k] != 0 && label[a.column[k]] < label[i]) label[i] = label[a.column[k]], changed = true;
+                if (a.offDiagonal[k] != 0 && label[a.column[k]] < label[i])
+                    label[i] = label[a.column[k]], changed = true;
     }
     std::vector<std::set<Index>> rows(n);
     std::vector<char> held(n, 0);
@@ -53,7 +55,8 @@ ParticleSystem splash()
 {
     Scene scene(40, 30);
     scene.present = [](int ix, int iy) {
-        const bool tank = iy < 8, left = ix < 10 && iy > 14, right = ix > 20 && ix < 34 && iy > 12 && iy < 22;
+        const bool tank = iy < 8, left = ix < 10 && iy > 14,
+                   right = ix > 20 && ix < 34 && iy > 12 && iy < 22;
         return tank || left || right || (ix == 37 && iy == 26);
     };
     scene.atmosphere = [](int, int iy) { return iy == 7; };
@@ -75,7 +78,7 @@ TEST(ComponentFinder, FindsWhatRelabellingFinds)
     const auto found = asSets(finder.find(s.matrix, s.anchored));
     EXPECT_EQ(found.size(), 3u);
     EXPECT_EQ(found, floatingByRelabelling(s.matrix, s.anchored));
-    for (unsigned seed = 1; seed <= 5; ++seed) {   // spray: many small parts
+    for (unsigned seed = 1; seed <= 5; ++seed) {  // spray: many small parts
         Scene scene(40, 30);
         std::mt19937 random(seed);
         std::vector<char> there(40 * 30);
@@ -111,7 +114,7 @@ TEST(ComponentFinder, CoefficientsOfZeroConnectNothing)
     anchored[0] = 1;
     ComponentFinder finder;
     EXPECT_EQ(finder.find(a, anchored).size(), 0u);
-    a.offDiagonal[a.rowStart[2] + 1] = a.offDiagonal[a.rowStart[3]] = 0;   // between rows 2 and 3
+    a.offDiagonal[a.rowStart[2] + 1] = a.offDiagonal[a.rowStart[3]] = 0;  // between rows 2 and 3
     EXPECT_EQ(asSets(finder.find(a, anchored)), (std::set<std::set<Index>>{{3, 4, 5}}));
 }
 
@@ -125,14 +128,18 @@ TEST(MakeSolvable, TheSolutionSolvesTheSingularSystemAndIsZeroInTheFirstRow)
     for (std::size_t c = 0; c < floating.size(); ++c) {
         Real sum = 0;
         for (const Index i : floating[c]) sum += s.b[i];
-        EXPECT_NEAR(sum, 0, 1e-16 * sqr(static_cast<Real>(floating[c].size())));   // round-off x rows
+        EXPECT_NEAR(sum, 0,
+                    1e-16 * sqr(static_cast<Real>(floating[c].size())));  // round-off x rows
     }
     std::vector<Real> x(s.b.size(), 0);
     ASSERT_TRUE(solverOf("solver cholmod; tolerance 1e-12;")->solve(s.matrix, s.b, x).converged);
-    EXPECT_LE(trueResidual(singular, x, s.b), 2e-12 * norm(s.b));   // that of the changed matrix and a_00 x_0
-    for (std::size_t c = 0; c < floating.size(); ++c) EXPECT_NEAR(x[floating[c].front()], 0, 1e-11 * norm(s.b));
+    EXPECT_LE(trueResidual(singular, x, s.b),
+              2e-12 * norm(s.b));  // that of the changed matrix and a_00 x_0
+    for (std::size_t c = 0; c < floating.size(); ++c)
+        EXPECT_NEAR(x[floating[c].front()], 0, 1e-11 * norm(s.b));
     removeMean(x, floating);
-    EXPECT_LE(trueResidual(singular, x, s.b), 2e-12 * norm(s.b));   // constants are in the null space
+    EXPECT_LE(trueResidual(singular, x, s.b),
+              2e-12 * norm(s.b));  // constants are in the null space
     for (std::size_t c = 0; c < floating.size(); ++c) {
         Real sum = 0, largest = 0;
         for (const Index i : floating[c]) sum += x[i], largest = std::max(largest, std::abs(x[i]));

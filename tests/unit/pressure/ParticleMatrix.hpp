@@ -14,7 +14,7 @@ namespace isph::test {
 /// lattice rows.
 struct Scene {
     int nx = 40, ny = 30;
-    Real jitter = 0.2;                                                  ///< of the spacing
+    Real jitter = 0.2;  ///< of the spacing
     std::function<bool(int, int)> present = [](int, int) { return true; };
     /// p = 0, row eliminated: the uppermost lattice row unless said otherwise
     std::function<bool(int, int)> atmosphere = [top = &ny](int, int iy) { return iy == *top - 1; };
@@ -23,14 +23,14 @@ struct Scene {
 
     Scene() = default;
     Scene(int columns, int rows) : nx(columns), ny(rows) {}
-    Scene(const Scene&) = delete;   // atmosphere refers to ny
+    Scene(const Scene&) = delete;  // atmosphere refers to ny
     Scene& operator=(const Scene&) = delete;
 };
 
 struct ParticleSystem {
     SymmetricMatrix matrix;
-    std::vector<char> anchored;   ///< row has a neighbour at p = 0
-    std::vector<Real> b;          ///< a smooth mode and noise
+    std::vector<char> anchored;  ///< row has a neighbour at p = 0
+    std::vector<Real> b;         ///< a smooth mode and noise
 };
 
 /// a_ij = -beta_ij w(r_ij), beta_ij harmonic, w = (1 - r/2.4)^3 within r < 2.4;  a_ii = -sum_j a_ij
@@ -47,11 +47,12 @@ inline ParticleSystem particleSystem(const Scene& scene)
         for (int ix = 0; ix < scene.nx; ++ix) {
             const std::size_t s = iy * scene.nx + ix;
             x[s] = ix + offset(random), y[s] = iy + offset(random);
-            if (scene.present(ix, iy)) row[s] = scene.atmosphere(ix, iy) ? Index{atmosphere} : rows++;
+            if (scene.present(ix, iy))
+                row[s] = scene.atmosphere(ix, iy) ? Index{atmosphere} : rows++;
         }
     ParticleSystem system;
     SymmetricMatrix& a = system.matrix;
-    constexpr int reach = 3;   // sites; jitter below 0.3
+    constexpr int reach = 3;  // sites; jitter below 0.3
     constexpr Real support = 2.4;
     for (int iy = 0; iy < scene.ny; ++iy)
         for (int ix = 0; ix < scene.nx; ++ix) {
@@ -60,7 +61,8 @@ inline ParticleSystem particleSystem(const Scene& scene)
             Real sum = 0;
             bool anchored = false;
             for (int jy = std::max(0, iy - reach); jy <= std::min(scene.ny - 1, iy + reach); ++jy)
-                for (int jx = std::max(0, ix - reach); jx <= std::min(scene.nx - 1, ix + reach); ++jx) {
+                for (int jx = std::max(0, ix - reach); jx <= std::min(scene.nx - 1, ix + reach);
+                     ++jx) {
                     const std::size_t t = jy * scene.nx + jx;
                     const Real r = std::hypot(x[s] - x[t], y[s] - y[t]);
                     if (t == s || row[t] == absent || r >= support) continue;

@@ -42,7 +42,7 @@ void expectSymmetricAndPositive(Preconditioner& m, std::size_t n)
 
 TEST(IncompleteCholesky, IsSymmetricAndPositiveWithOneStartAndWithTwo)
 {
-    for (const int rows : {20, 90})   // 90 x 60 particles are split, 20 x 60 are not
+    for (const int rows : {20, 90})  // 90 x 60 particles are split, 20 x 60 are not
         for (const Real relaxation : {0.0, 0.97}) {
             const ParticleSystem s = particleSystem(Scene(60, rows));
             IncompleteCholesky m(relaxation);
@@ -53,7 +53,7 @@ TEST(IncompleteCholesky, IsSymmetricAndPositiveWithOneStartAndWithTwo)
 
 TEST(IncompleteCholesky, IsTheInverseWhereTheFactorHasNoFill)
 {
-    for (const std::size_t n : {1u, 7u, 2500u}) {   // a chain has none, also from both ends
+    for (const std::size_t n : {1u, 7u, 2500u}) {  // a chain has none, also from both ends
         const SymmetricMatrix a = chain(n);
         IncompleteCholesky m(0);
         ASSERT_EQ(m.factorise(a), 0.0);
@@ -75,18 +75,21 @@ TEST(IncompleteCholesky, ModifiedInFullKeepsTheRowSums)
     multiply(s.matrix, ones, rowSum);
     IncompleteCholesky m(1);
     ASSERT_EQ(m.factorise(s.matrix), 0.0);
-    m.apply(rowSum, z);   // M 1 = A 1, so M^-1 A 1 = 1
-    for (const Real value : z) ASSERT_NEAR(value, 1, 1e-3);   // single precision times the condition, about 1e4
+    m.apply(rowSum, z);  // M 1 = A 1, so M^-1 A 1 = 1
+    for (const Real value : z)
+        ASSERT_NEAR(value, 1, 1e-3);  // single precision times the condition, about 1e4
     IncompleteCholesky plain(0);
     plain.factorise(s.matrix);
     plain.apply(rowSum, z);
-    EXPECT_LT(*std::min_element(z.begin(), z.end()), 0.9);   // the plain factor does not
+    EXPECT_LT(*std::min_element(z.begin(), z.end()), 0.9);  // the plain factor does not
 }
 
 TEST(IncompleteCholesky, ShiftsTheDiagonalWhereAPivotIsNegativeAndTheSolverSaysSo)
 {
-    // positive definite, but its factor without fill has a negative pivot (Kershaw 1978, J. Comput. Phys. 26, 43)
-    const SymmetricMatrix a = fromDense({{3, -2, 0, 2}, {-2, 3, -2, 0}, {0, -2, 3, -2}, {2, 0, -2, 3}});
+    // positive definite, but its factor without fill has a negative pivot (Kershaw 1978, J. Comput.
+    // Phys. 26, 43)
+    const SymmetricMatrix a =
+        fromDense({{3, -2, 0, 2}, {-2, 3, -2, 0}, {0, -2, 3, -2}, {2, 0, -2, 3}});
     IncompleteCholesky m(0);
     const auto shift = m.factorise(a);
     ASSERT_TRUE(shift);
@@ -94,7 +97,8 @@ TEST(IncompleteCholesky, ShiftsTheDiagonalWhereAPivotIsNegativeAndTheSolverSaysS
     expectSymmetricAndPositive(m, 4);
     std::vector<Real> x(4, 0);
     const std::vector<Real> b{1, 2, -1, 4};
-    const SolverReport report = solverOf("solver PCG; preconditioner IC0; tolerance 1e-10;")->solve(a, b, x);
+    const SolverReport report =
+        solverOf("solver PCG; preconditioner IC0; tolerance 1e-10;")->solve(a, b, x);
     EXPECT_TRUE(report.converged);
     EXPECT_NE(report.remark.find("diagonal shift"), std::string::npos);
 }

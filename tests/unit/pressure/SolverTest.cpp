@@ -14,13 +14,14 @@ using namespace isph::test;
 
 namespace {
 const std::vector<std::string> kSolvers{"solver cholmod;", "solver lagCholmod;",
-                                        "solver PCG;",   // MIC0
+                                        "solver PCG;",  // MIC0
                                         "solver PCG; preconditioner IC0;",
                                         "solver PCG; preconditioner Jacobi;"};
 
 class EverySolver : public testing::TestWithParam<std::string> {
 protected:
-    static std::unique_ptr<PressureSolver> make(const std::string& keys = "tolerance 1e-8; maxIter 20000;")
+    static std::unique_ptr<PressureSolver> make(
+        const std::string& keys = "tolerance 1e-8; maxIter 20000;")
     {
         return solverOf(GetParam() + " " + keys);
     }
@@ -35,8 +36,10 @@ protected:
         const Real r = trueResidual(a, x, b);
         // r is recomputed in double by the solver: rounding of some 20 terms, each up to |A||x|
         Real largest = 0;
-        for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, a.diagonal[i] * std::abs(x[i]));
-        const Real rounding = 40 * std::numeric_limits<Real>::epsilon() * largest * std::sqrt(a.size());
+        for (std::size_t i = 0; i < a.size(); ++i)
+            largest = std::max(largest, a.diagonal[i] * std::abs(x[i]));
+        const Real rounding =
+            40 * std::numeric_limits<Real>::epsilon() * largest * std::sqrt(a.size());
         EXPECT_NEAR(report.finalResidual * norm(b), r, 1e-12 * r + rounding);
         EXPECT_EQ(report.converged, report.finalResidual <= 1e-8);
         EXPECT_TRUE(report.converged || !report.remark.empty());
@@ -46,7 +49,8 @@ protected:
         cholmod->solve(a, std::vector<Real>(b.size(), 1), sum);
         const Real inverse = 1.01 * *std::max_element(sum.begin(), sum.end());
         Real difference = 0;
-        for (std::size_t i = 0; i < x.size(); ++i) difference = std::max(difference, std::abs(x[i] - direct[i]));
+        for (std::size_t i = 0; i < x.size(); ++i)
+            difference = std::max(difference, std::abs(x[i] - direct[i]));
         EXPECT_LE(difference, inverse * (r + trueResidual(a, direct, b)) * (1 + 1e-6));
         return report;
     }
@@ -66,9 +70,15 @@ INSTANTIATE_TEST_SUITE_P(Pressure, EverySolver, testing::ValuesIn(kSolvers), [](
     return name;
 });
 
-TEST_P(EverySolver, SolvesATankOfJitteredParticles) { EXPECT_TRUE(solveAndCompare(Scene(60, 50)).converged); }
+TEST_P(EverySolver, SolvesATankOfJitteredParticles)
+{
+    EXPECT_TRUE(solveAndCompare(Scene(60, 50)).converged);
+}
 
-TEST_P(EverySolver, SolvesAColumnOfAThousandRows) { EXPECT_TRUE(solveAndCompare(Scene(3, 1001)).converged); }
+TEST_P(EverySolver, SolvesAColumnOfAThousandRows)
+{
+    EXPECT_TRUE(solveAndCompare(Scene(3, 1001)).converged);
+}
 
 TEST_P(EverySolver, SolvesFiveDisconnectedParts)
 {
@@ -99,7 +109,7 @@ TEST_P(EverySolver, SolvesASingleRow)
     std::vector<Real> x{0};
     const SolverReport report = make()->solve(a, std::vector<Real>{6}, x);
     EXPECT_TRUE(report.converged);
-    EXPECT_NEAR(x[0], 2, 1e-6);   // a factor in single precision, refined by the iteration
+    EXPECT_NEAR(x[0], 2, 1e-6);  // a factor in single precision, refined by the iteration
 }
 
 TEST_P(EverySolver, SolvesABoxWithoutAFreeSurface)
@@ -117,7 +127,7 @@ TEST_P(EverySolver, SolvesABoxWithoutAFreeSurface)
 TEST_P(EverySolver, SolvesJumpsOfTheCoefficientOrSaysThatItDidNot)
 {
     for (const Real jump : {1.0, 1e2, 1e4, 1e6, 1e8}) {
-        Scene scene(40, 40);   // a soil layer with a pocket of water in it, water above and below
+        Scene scene(40, 40);  // a soil layer with a pocket of water in it, water above and below
         scene.beta = [&](int ix, int iy) {
             const bool pocket = ix > 14 && ix < 24 && iy > 15 && iy < 21;
             return iy > 10 && iy < 30 && !pocket ? 1 / jump : 1.0;
@@ -132,7 +142,7 @@ TEST_P(EverySolver, SolvesJumpsOfTheCoefficientOrSaysThatItDidNot)
 
 TEST_P(EverySolver, OneAndTwoThreadsAgreeBitForBit)
 {
-    Scene scene(70, 60);   // several sum blocks, and more rows than IncompleteCholesky takes in one
+    Scene scene(70, 60);  // several sum blocks, and more rows than IncompleteCholesky takes in one
     scene.beta = [](int ix, int) { return ix < 30 ? 1.0 : 1e-3; };
     const ParticleSystem s = particleSystem(scene);
     std::vector<Real> one(s.b.size(), 0), two(s.b.size(), 0);
@@ -219,13 +229,16 @@ TEST_P(EverySolver, NamesTheRowThatIsNotFinite)
     const std::vector<Real> zero(good.b.size(), 0);
     ParticleSystem s = good;
     s.b[7] = nan;
-    EXPECT_NE(message(s, zero).find("right-hand side of row 7 is nan"), std::string::npos) << message(s, zero);
+    EXPECT_NE(message(s, zero).find("right-hand side of row 7 is nan"), std::string::npos)
+        << message(s, zero);
     s = good;
     s.matrix.diagonal[11] = std::numeric_limits<Real>::infinity();
-    EXPECT_NE(message(s, zero).find("diagonal of row 11 is inf"), std::string::npos) << message(s, zero);
+    EXPECT_NE(message(s, zero).find("diagonal of row 11 is inf"), std::string::npos)
+        << message(s, zero);
     s = good;
     s.matrix.offDiagonal[s.matrix.rowStart[3]] = nan;
-    EXPECT_NE(message(s, zero).find("off-diagonal coefficient of row 3"), std::string::npos) << message(s, zero);
+    EXPECT_NE(message(s, zero).find("off-diagonal coefficient of row 3"), std::string::npos)
+        << message(s, zero);
     std::vector<Real> guess = zero;
     guess[5] = nan;
     EXPECT_NE(message(good, guess).find("guess of the pressure of row 5"), std::string::npos);
@@ -238,7 +251,8 @@ TEST_P(EverySolver, SaysThatAnIndefiniteMatrixIsNotSolved)
     std::vector<Real> x(3, 0);
     const SolverReport report = make()->solve(a, std::vector<Real>{1, 1, 1}, x);
     EXPECT_EQ(report.converged, trueResidual(a, x, {1, 1, 1}) <= 1e-8 * std::sqrt(3.0));
-    EXPECT_TRUE(report.converged || report.remark.find("not positive definite") != std::string::npos);
+    EXPECT_TRUE(report.converged ||
+                report.remark.find("not positive definite") != std::string::npos);
     for (const Real value : x) EXPECT_TRUE(std::isfinite(value));
 }
 
@@ -248,7 +262,8 @@ TEST(IterativeSolvers, SayThatOneIterationWasNotEnough)
     for (const std::string preconditioner : {"MIC0", "IC0", "Jacobi"}) {
         std::vector<Real> x(s.b.size(), 0);
         const SolverReport report =
-            solverOf("solver PCG; maxIter 1; preconditioner " + preconditioner + ";")->solve(s.matrix, s.b, x);
+            solverOf("solver PCG; maxIter 1; preconditioner " + preconditioner + ";")
+                ->solve(s.matrix, s.b, x);
         EXPECT_FALSE(report.converged);
         EXPECT_EQ(report.iterations, 1);
         EXPECT_GT(report.finalResidual, 1e-6);
@@ -275,7 +290,8 @@ TEST(PressureSolver, IsChosenByItsNameAndRefusesKeysItDoesNotHave)
     }
     EXPECT_NE(messageOf("solver PGC;").find("PCG"), std::string::npos);
     EXPECT_NE(messageOf("solver PCG; tolerence 1e-5;").find("tolerance"), std::string::npos);
-    EXPECT_NE(messageOf("solver cholmod; preconditioner IC0;").find("preconditioner"), std::string::npos);
+    EXPECT_NE(messageOf("solver cholmod; preconditioner IC0;").find("preconditioner"),
+              std::string::npos);
     EXPECT_NE(messageOf("solver PCG; tolerance 0;").find("tolerance"), std::string::npos);
     EXPECT_NE(messageOf("solver PCG; preconditioner ILU;").find("ILU"), std::string::npos);
 }

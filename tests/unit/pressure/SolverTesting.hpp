@@ -17,7 +17,8 @@ inline std::unique_ptr<PressureSolver> solverOf(const std::string& keys)
 }
 
 /// |b - A x|_2 in extended precision, by code that shares nothing with the solvers'.
-inline Real trueResidual(const SymmetricMatrix& a, const std::vector<Real>& x, const std::vector<Real>& b)
+inline Real trueResidual(const SymmetricMatrix& a, const std::vector<Real>& x,
+                         const std::vector<Real>& b)
 {
     long double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {

@@ -8,7 +8,8 @@ using namespace isph::test;
 
 TEST(SymmetricMatrix, TimesAVectorIsWhatTheDenseMatrixGives)
 {
-    const std::vector<std::vector<Real>> dense{{4, -1, 0, -2}, {-1, 3, -1, 0}, {0, -1, 5, -3}, {-2, 0, -3, 7}};
+    const std::vector<std::vector<Real>> dense{
+        {4, -1, 0, -2}, {-1, 3, -1, 0}, {0, -1, 5, -3}, {-2, 0, -3, 7}};
     const std::vector<Real> x{1, -2, 3, 0.5};
     std::vector<Real> y(4), withDot(4);
     const SymmetricMatrix a = fromDense(dense);
@@ -18,7 +19,7 @@ TEST(SymmetricMatrix, TimesAVectorIsWhatTheDenseMatrixGives)
     for (int i = 0; i < 4; ++i) {
         Real row = 0;
         for (int j = 0; j < 4; ++j) row += dense[i][j] * x[j];
-        EXPECT_EQ(y[i], row);   // small integers and halves: exact
+        EXPECT_EQ(y[i], row);  // small integers and halves: exact
         EXPECT_EQ(withDot[i], row);
         expected += x[i] * row;
     }
