@@ -14,8 +14,8 @@ namespace {
 constexpr Real smoothing = 1.5;      // h over the local spacing
 constexpr Real rate = 0.15;          // c; lattices are stable up to about 0.3
 constexpr Real longestStep = 0.1;    // in local spacings
-constexpr Real settled = 1e-3;       // in local spacings
-constexpr int mostSweeps = 400;
+constexpr Real settled = 3e-3;       // in local spacings
+constexpr int mostSweeps = 200;
 constexpr int sweepsPerSearch = 10;
 constexpr Real skin = 0.5;           // of d0: how far two particles may approach between searches
 constexpr Real margin = 0.4;         // in local spacings: what a particle keeps from the faces of its part
@@ -57,12 +57,13 @@ private:
         for (Real s : spacing_) widest_ = std::max(widest_, s);
     }
 
-    /// The space around the mobile particles that is not theirs to fill, as points with volumes.
+    /// The space around the mobile particles that is not theirs to fill, as points with volumes: cells of d0
+    /// that lie outside as a whole, so that a lattice goes on in them, and parts of others by halves.
     void layOutside()
     {
         BoundingBox box;
         for (std::size_t i : mobile_) box.include(x_[i]);
-        const Real reach = 2 * smoothing * widest_, cell = 0.5 * d0_;
+        const Real reach = 2 * smoothing * widest_;
         PointGrid mobile(reach);
         for (std::size_t i : mobile_) mobile.add(x_[i]);
         box = box.grown(reach, g_.dimension);
@@ -70,12 +71,33 @@ private:
             box.min[d] = g_.domain.min[d] + std::floor((box.min[d] - g_.domain.min[d]) / d0_) * d0_;
             box.max[d] = box.min[d] + std::ceil((box.max[d] - box.min[d]) / d0_) * d0_;
         }
-        forEachCell(box, g_.dimension, cell * (1 + 1e-9), [&](const Point& x, Real volume) {
-            const Real share = std::clamp(0.5 + task_.outside(g_.wrapped(x)) / cell, 0.0, 1.0);
-            if (share == 0 || mobile.nearest(x, reach) < 0) return;
-            outside_.push_back(x);
-            outsideVolume_.push_back(share * volume);
+        forEachCell(box, g_.dimension, d0_ * (1 + 1e-9), [&](const Point& x, Real volume) {
+            if (mobile.nearest(x, reach) >= 0) addOutside(x, volume);
         });
+    }
+
+    void addOutside(const Point& centre, Real volume)
+    {
+        const Real half = 0.5 * d0_;
+        const int parts = 1 << g_.dimension;
+        Real share[8], sum = 0;
+        Point at[8];
+        for (int p = 0; p < parts; ++p) {
+            at[p] = centre;
+            for (int d = 0; d < g_.dimension; ++d) at[p][d] += (p >> d & 1 ? 0.5 : -0.5) * half;
+            share[p] = std::clamp(0.5 + task_.outside(g_.wrapped(at[p])) / half, 0.0, 1.0);
+            sum += share[p];
+        }
+        if (sum > parts - 1e-6) {
+            outside_.push_back(centre);
+            outsideVolume_.push_back(volume);
+            return;
+        }
+        for (int p = 0; p < parts; ++p) {
+            if (share[p] == 0) continue;
+            outside_.push_back(at[p]);
+            outsideVolume_.push_back(share[p] * volume / parts);
+        }
     }
 
     /// Lists, for each mobile particle, what may come within its support before the next search.

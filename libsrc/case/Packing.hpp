@@ -19,8 +19,8 @@ struct PackingTask {
 };
 
 /// Sweeps of  x_i -= c h_i^2 sum_j V_j gradW_ij,  V_j = d0^D/porosity_j, over particles and over the space
-/// outside (midpoints at d0/2), until the largest step is 1e-3 of a spacing or 400 sweeps are done: a
-/// steepest descent on the unevenness of sum_j V_j W_ij. Threaded, the same bits for any number of threads.
+/// outside (by midpoints), until the largest step is 3e-3 of a spacing or 200 sweeps are done: a steepest
+/// descent on the unevenness of sum_j V_j W_ij. Threaded, the same bits for any number of threads.
 void pack(const PackingTask& task, std::vector<Point>& x);
 
 }  // namespace isph

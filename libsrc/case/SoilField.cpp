@@ -2,25 +2,8 @@
 #include "case/SoilField.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace isph {
-
-namespace {
-Real sigma(int dimension) { return (dimension == 2 ? 7.0 / 4.0 : 21.0 / 16.0) / std::numbers::pi; }
-}  // namespace
-
-Real PackingKernel::w(Real r, Real h) const
-{
-    const Real q = r / h, t = std::max(0.0, 1 - 0.5 * q);
-    return sigma(dimension) / (dimension == 2 ? sqr(h) : cube(h)) * sqr(sqr(t)) * (1 + 2 * q);
-}
-
-Real PackingKernel::slope(Real r, Real h) const
-{
-    const Real q = r / h, t = std::max(0.0, 1 - 0.5 * q);
-    return -5 * sigma(dimension) / (dimension == 2 ? sqr(h) : cube(h)) / sqr(h) * cube(t);
-}
 
 PeriodicPoints::PeriodicPoints(const CaseGeometry& g, const std::vector<Point>& points, Real reach) : x(points)
 {

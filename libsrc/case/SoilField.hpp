@@ -5,14 +5,27 @@
 #include "case/PointGrid.hpp"
 #include "case/WallLayers.hpp"
 
+#include <algorithm>
+#include <numbers>
+
 namespace isph {
 
 /// Wendland C2, W = sigma/h^D (1 - q/2)^4 (1 + 2 q), q = r/h < 2; for laying particles out.
 struct PackingKernel {
     int dimension;
-    Real w(Real r, Real h) const;
+
+    Real sigma() const { return (dimension == 2 ? 7.0 / 4.0 : 21.0 / 16.0) / std::numbers::pi; }
+    Real w(Real r, Real h) const
+    {
+        const Real q = r / h, t = std::max(0.0, 1 - 0.5 * q);
+        return sigma() / (dimension == 2 ? sqr(h) : cube(h)) * sqr(sqr(t)) * (1 + 2 * q);
+    }
     /// (dW/dr)/r
-    Real slope(Real r, Real h) const;
+    Real slope(Real r, Real h) const
+    {
+        const Real t = std::max(0.0, 1 - 0.5 * r / h);
+        return -5 * sigma() * cube(t) / (dimension == 2 ? sqr(sqr(h)) : sqr(sqr(h)) * h);
+    }
 };
 
 /// Points and their images across the periodic faces, as far as `reach` beyond them.
