@@ -70,8 +70,10 @@ std::vector<Real> readRow(const std::vector<std::string>& line, const DataTable&
         row.push_back(*value);
     }
     if (row.size() != table.columns.size())
-        throw FatalIOError(fmt::format("{} values, but the line that begins with # Time names {} columns",
-                                       row.size(), table.columns.size()), file, lineNumber);
+        throw FatalIOError(
+            fmt::format("{} values, but the line that begins with # Time names {} columns",
+                        row.size(), table.columns.size()),
+            file, lineNumber);
     return row;
 }
 
@@ -84,7 +86,8 @@ DataWriter::DataWriter(const fs::path& file, const std::vector<std::string>& hea
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
     if (error)
-        throw FatalError(fmt::format("Cannot make the folder {}: {}", file.parent_path().string(), error.message()));
+        throw FatalError(fmt::format("Cannot make the folder {}: {}", file.parent_path().string(),
+                                     error.message()));
     keepOld(file);
     out_.open(file);
     for (const std::string& line : header) out_ << "# " << line << '\n';
@@ -99,7 +102,8 @@ void DataWriter::write(Real time, const std::vector<Real>& values)
     std::string line = fmt::format("{:<24}", fmt::format("{}", time));
     for (const Real value : values) line += fmt::format(" {:>23}", fmt::format("{}", value));
     out_ << line << '\n' << std::flush;
-    if (!out_) throw FatalError(fmt::format("Cannot write to {} (is the disk full?)", file_.string()));
+    if (!out_)
+        throw FatalError(fmt::format("Cannot write to {} (is the disk full?)", file_.string()));
 }
 
 DataTable readDataTable(const fs::path& file)
@@ -110,7 +114,7 @@ DataTable readDataTable(const fs::path& file)
     int lineNumber = 0;
     for (std::string line; std::getline(in, line);) {
         ++lineNumber;
-        if (in.eof()) break;   // no end of line: cut off
+        if (in.eof()) break;  // no end of line: cut off
         const std::vector<std::string> parts = words(line);
         if (parts.empty()) continue;
         if (parts[0] == "#")
@@ -118,7 +122,8 @@ DataTable readDataTable(const fs::path& file)
         else
             table.rows.push_back(readRow(parts, table, file.string(), lineNumber));
     }
-    if (table.columns.empty()) throw FatalIOError("no line \"# Time ...\" names the columns", file.string(), 0);
+    if (table.columns.empty())
+        throw FatalIOError("no line \"# Time ...\" names the columns", file.string(), 0);
     return table;
 }
 
@@ -131,9 +136,12 @@ DataTable readAllStarts(const fs::path& folder)
         if (!fs::exists(file)) continue;
         DataTable part = readDataTable(file);
         if (!all.columns.empty() && part.columns != all.columns)
-            throw FatalIOError(fmt::format("other columns than the start before has; give one of the files of {}",
-                                           folder.string()), file.string(), 0);
-        while (!all.rows.empty() && !part.rows.empty() && all.rows.back()[0] >= part.rows.front()[0])
+            throw FatalIOError(
+                fmt::format("other columns than the start before has; give one of the files of {}",
+                            folder.string()),
+                file.string(), 0);
+        while (!all.rows.empty() && !part.rows.empty() &&
+               all.rows.back()[0] >= part.rows.front()[0])
             all.rows.pop_back();
         part.rows.insert(part.rows.begin(), all.rows.begin(), all.rows.end());
         all = std::move(part);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of function objects: lines that begin with #, the last of which names the columns, then rows.
+// The files of function objects: lines that begin with #, the last of which names the columns, then
+// rows.
 #pragma once
 #include "core/Types.hpp"
 
@@ -28,13 +29,14 @@ private:
 };
 
 struct DataTable {
-    std::vector<std::string> columns;                   ///< the first is Time
-    std::map<std::string, std::vector<Real>> header;    ///< "# x 0.1 0.2": numbers behind a word
+    std::vector<std::string> columns;                 ///< the first is Time
+    std::map<std::string, std::vector<Real>> header;  ///< "# x 0.1 0.2": numbers behind a word
     std::vector<std::vector<Real>> rows;
 };
 
-/// Reads a file. Throws FatalIOError, with its line, at what is no number and at rows of another length
-/// than the line of columns. A last line without its end (the run was killed while writing) is left out.
+/// Reads a file. Throws FatalIOError, with its line, at what is no number and at rows of another
+/// length than the line of columns. A last line without its end (the run was killed while writing)
+/// is left out.
 DataTable readDataTable(const std::filesystem::path& file);
 
 /// The whole measurement of a function object from postProcessing/<name>: the rows of all its start

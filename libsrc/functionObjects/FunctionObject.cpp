@@ -19,15 +19,20 @@ Schema FunctionObject::keysWith(const Schema& own)
         Key::logical("enabled", "Whether it measures at all.").byDefault("yes"),
         Key::logical("log", "Whether each measurement is also printed in the log.").byDefault("no"),
         Key::scalar("startTime", "First time of measurement; from the beginning where absent.")
-            .units(dims::time).mayBeAbsent(),
+            .units(dims::time)
+            .mayBeAbsent(),
         Key::scalar("endTime", "Last time of measurement; to the end where absent.")
-            .units(dims::time).mayBeAbsent(),
+            .units(dims::time)
+            .mayBeAbsent(),
         Key::word("writeControl", "When a row is measured and written.")
-            .byDefault("timeStep").oneOf(TimeControl::kindNames()),
+            .byDefault("timeStep")
+            .oneOf(TimeControl::kindNames()),
         Key::scalar("writeInterval", "Steps with timeStep (1 where absent), else seconds.")
-            .above(0).mayBeAbsent(),
+            .above(0)
+            .mayBeAbsent(),
         Key::word("executeControl", "When it measures besides, for the log or to accumulate.")
-            .byDefault("none").oneOf(TimeControl::kindNames()),
+            .byDefault("none")
+            .oneOf(TimeControl::kindNames()),
         Key::scalar("executeInterval", "As writeInterval.").above(0).mayBeAbsent(),
     };
     for (const Key& key : own.keys()) keys.add(key);

@@ -18,8 +18,8 @@ public:
     using Table = ModelTable<FunctionObject>;
     static Table& table();
 
-    /// The keys that every function object has (type, libs, enabled, log, startTime, endTime and the
-    /// controls of execution and writing), and the model's own.
+    /// The keys that every function object has (type, libs, enabled, log, startTime, endTime and
+    /// the controls of execution and writing), and the model's own.
     static Schema keysWith(const Schema& own);
 
     virtual ~FunctionObject() = default;

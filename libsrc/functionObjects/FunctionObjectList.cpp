@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
-constexpr Real kTimeTolerance = 1e-9;   // times are sums of steps and carry their rounding
+constexpr Real kTimeTolerance = 1e-9;  // times are sums of steps and carry their rounding
 
 fs::path outputFolder(const MeasureStart& start, const std::string& name)
 {
@@ -22,10 +22,10 @@ fs::path outputFolder(const MeasureStart& start, const std::string& name)
 }
 
 /// The line that `log yes;` adds to the log of the run.
-void logRow(const std::string& type, const std::string& name, const std::vector<std::string>& columns,
-            const std::vector<Real>& values)
+void logRow(const std::string& type, const std::string& name,
+            const std::vector<std::string>& columns, const std::vector<Real>& values)
 {
-    constexpr std::size_t most = 8;   // a line of the log stays a line
+    constexpr std::size_t most = 8;  // a line of the log stays a line
     std::string text = type + " " + name + ":";
     for (std::size_t k = 0; k < std::min(most, values.size()); ++k)
         text += fmt::format(" {} = {:.6g}", columns[k], values[k]);
@@ -37,17 +37,19 @@ void logRow(const std::string& type, const std::string& name, const std::vector<
 }
 
 /// <purpose>Control and <purpose>Interval, started.
-TimeControl readControl(const Dictionary& dict, const std::string& purpose, TimeControl::Kind otherwise,
-                        const StepInstant& start)
+TimeControl readControl(const Dictionary& dict, const std::string& purpose,
+                        TimeControl::Kind otherwise, const StepInstant& start)
 {
     using Kind = TimeControl::Kind;
     const std::string key = purpose + "Interval";
-    const bool steps = !dict.found(purpose + "Control") || dict.get<std::string>(purpose + "Control") == "timeStep";
+    const bool steps = !dict.found(purpose + "Control") ||
+                       dict.get<std::string>(purpose + "Control") == "timeStep";
     TimeControl control = TimeControl::read(dict, purpose, otherwise, steps ? 1 : 0);
     const bool counts = control.kind() != Kind::writeTime && control.kind() != Kind::none;
     if (!counts && dict.found(key) && dict.get<Real>(key) != 1)
-        dict.fail(key, fmt::format("{} has no meaning for {}Control {}: leave it out", key, purpose,
-                                   TimeControl::kindNames()[static_cast<std::size_t>(control.kind())]));
+        dict.fail(key,
+                  fmt::format("{} has no meaning for {}Control {}: leave it out", key, purpose,
+                              TimeControl::kindNames()[static_cast<std::size_t>(control.kind())]));
     control.startAt(start);
     return control;
 }
@@ -57,7 +59,8 @@ void requireFinite(const std::string& name, const std::vector<std::string>& colu
 {
     for (std::size_t k = 0; k < values.size(); ++k)
         if (!std::isfinite(values[k]))
-            throw FatalError(fmt::format("Function object {}: {} is {} at time {}", name, columns[k], values[k], time));
+            throw FatalError(fmt::format("Function object {}: {} is {} at time {}", name,
+                                         columns[k], values[k], time));
 }
 
 }  // namespace
@@ -67,9 +70,11 @@ FunctionObjectList::FunctionObjectList(const Dictionary& controlDict, const Meas
     reread(controlDict, start);
 }
 
-FunctionObjectList::Entry FunctionObjectList::makeEntry(const Dictionary& dict, const MeasureStart& start)
+FunctionObjectList::Entry FunctionObjectList::makeEntry(const Dictionary& dict,
+                                                        const MeasureStart& start)
 {
-    for (const std::string& library : dict.getOrDefault("libs", std::vector<std::string>{})) loadLibrary(library);
+    for (const std::string& library : dict.getOrDefault("libs", std::vector<std::string>{}))
+        loadLibrary(library);
     const std::string type = dict.get<std::string>("type");
     Entry entry{dict.scopeName(),
                 type,
@@ -83,7 +88,8 @@ FunctionObjectList::Entry FunctionObjectList::makeEntry(const Dictionary& dict, 
                 dict.getOrDefault("log", false),
                 start};
     if (entry.startTime > entry.endTime)
-        dict.fail("endTime", fmt::format("endTime {} lies before startTime {}", entry.endTime, entry.startTime));
+        dict.fail("endTime", fmt::format("endTime {} lies before startTime {}", entry.endTime,
+                                         entry.startTime));
     resume(entry);
     return entry;
 }
@@ -104,17 +110,19 @@ void FunctionObjectList::resume(Entry& entry)
 
 void FunctionObjectList::reread(const Dictionary& controlDict, const MeasureStart& start)
 {
-    std::vector<std::optional<Entry>> fresh;   // none: goes on
+    std::vector<std::optional<Entry>> fresh;  // none: goes on
     std::vector<std::size_t> kept;
     const Dictionary none;
-    const Dictionary& functions = controlDict.found("functions") ? controlDict.subDict("functions") : none;
+    const Dictionary& functions =
+        controlDict.found("functions") ? controlDict.subDict("functions") : none;
     for (const std::string& name : functions.keywords()) {
         const Dictionary& dict = functions.subDict(name);
         const auto old = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
             return entry.name == name && entry.text == dict.toString();
         });
         kept.push_back(static_cast<std::size_t>(old - entries_.begin()));
-        fresh.push_back(old == entries_.end() ? std::optional(makeEntry(dict, start)) : std::nullopt);
+        fresh.push_back(old == entries_.end() ? std::optional(makeEntry(dict, start))
+                                              : std::nullopt);
     }
     std::vector<Entry> all;
     for (std::size_t k = 0; k < fresh.size(); ++k)
@@ -133,7 +141,8 @@ void FunctionObjectList::meet(Time& time)
 {
     for (Entry& entry : entries_) {
         if (!entry.met && entry.enabled)
-            for (const TimeControl* control : {&entry.writing, &entry.executing}) time.alsoMeet(*control);
+            for (const TimeControl* control : {&entry.writing, &entry.executing})
+                time.alsoMeet(*control);
         entry.met = true;
     }
 }
@@ -167,8 +176,9 @@ void FunctionObjectList::openFile(Entry& entry)
 {
     std::vector<std::string> header{entry.type + " " + entry.name};
     for (const std::string& line : entry.object->header()) header.push_back(line);
-    entry.file.emplace(outputFolder(entry.start, entry.name) / entry.start.timeName / (entry.name + ".dat"),
-                       header, entry.object->columns());
+    entry.file.emplace(
+        outputFolder(entry.start, entry.name) / entry.start.timeName / (entry.name + ".dat"),
+        header, entry.object->columns());
 }
 
 void FunctionObjectList::execute(const FlowView& flow)

@@ -27,7 +27,8 @@ std::vector<Real> waterLengths(const FlowView& flow)
 /// False where M is singular to working accuracy.
 bool solveForValue(std::array<std::array<Real, 4>, 4> m, int n, std::array<Real, 4>& c)
 {
-    constexpr Real leastPivot = 1e-10;   // of its diagonal entry: below, the neighbours lie in a plane
+    constexpr Real leastPivot =
+        1e-10;  // of its diagonal entry: below, the neighbours lie in a plane
     for (int k = 0; k < n; ++k) {
         const Real whole = m[k][k];
         for (int l = 0; l < k; ++l) m[k][k] -= sqr(m[k][l]);
@@ -60,8 +61,8 @@ void KernelSamples::clear()
     q.clear();
 }
 
-KernelCloud::KernelCloud(const FlowView& flow, Span<const Vector3> position, Span<const Real> volume,
-                         Span<const Real> h)
+KernelCloud::KernelCloud(const FlowView& flow, Span<const Vector3> position,
+                         Span<const Real> volume, Span<const Real> h)
     : kernel_(flow.kernel), owner_(position.size())
 {
     const Real sigma = kernel_->normalisation(flow.dimension);
@@ -69,8 +70,9 @@ KernelCloud::KernelCloud(const FlowView& flow, Span<const Vector3> position, Spa
     for (std::size_t i = 0; i < position.size(); ++i) {
         position_.push_back(toVec(position[i]));
         if (!std::isfinite(normSqr(position_.back())))
-            throw FatalError(fmt::format("Particle {} stands at ({} {} {}): the flow has no finite state to measure",
-                                         i, position[i][0], position[i][1], position[i][2]));
+            throw FatalError(fmt::format(
+                "Particle {} stands at ({} {} {}): the flow has no finite state to measure", i,
+                position[i][0], position[i][1], position[i][2]));
         scale_.push_back(volume[i] * sigma / (flow.dimension == 2 ? sqr(h[i]) : cube(h[i])));
         inverseH_.push_back(1 / h[i]);
         reach_ = std::max(reach_, kernel_->supportRadius() * h[i]);
@@ -89,7 +91,8 @@ void KernelCloud::addImages(const FlowView& flow)
             for (const int side : {-1, 1}) {
                 Vec<3> x = position_[i];
                 x[d] += side * period;
-                if (x[d] < flow.domainMin[d] - reach_ || x[d] > flow.domainMax[d] + reach_) continue;
+                if (x[d] < flow.domainMin[d] - reach_ || x[d] > flow.domainMax[d] + reach_)
+                    continue;
                 position_.push_back(x);
                 owner_.push_back(owner_[i]);
                 scale_.push_back(scale_[i]);
@@ -105,11 +108,11 @@ void KernelCloud::gather(const Vec<3>& x, KernelSamples& samples) const
     const Real support = kernel_->supportRadius();
     grid_.forEachNear(x, reach_, [&](Index j) {
         const Vec<3> offset = x - position_[j];
-        const Real q = norm(offset) * inverseH_[j];
-        if (q >= support) return;
+        const Real qSqr = normSqr(offset) * sqr(inverseH_[j]);
+        if (qSqr >= sqr(support)) return;
         samples.owner.push_back(j);
         samples.offset.push_back(offset);
-        samples.q.push_back(q);
+        samples.q.push_back(std::sqrt(qSqr));
     });
     samples.weight.resize(samples.size());
     samples.slope.resize(samples.size());
@@ -137,6 +140,7 @@ Shares KernelField::shares(const Vec<3>& x) const
     water_.gather(x, samples);
     for (std::size_t k = 0; k < samples.size(); ++k) {
         shares.water += samples.weight[k];
+        shares.pores += samples.weight[k] * flow_.porosity[samples.owner[k]];
         shares.waterGradient += samples.slope[k] * samples.offset[k];
     }
     walls_.gather(x, samples);
@@ -151,14 +155,18 @@ std::vector<Real> interpolationWeights(const KernelSamples& samples, int dimensi
 {
     constexpr Real mostGrowth = 6;
     const int n = dimension + 1;
-    const auto basis = [&](std::size_t k, int r) { return r == 0 ? 1 : -samples.offset[k][r - 1] / length; };
+    const auto basis = [&](std::size_t k, int r) {
+        return r == 0 ? 1 : -samples.offset[k][r - 1] / length;
+    };
     std::array<std::array<Real, 4>, 4> moment{};
     for (std::size_t k = 0; k < samples.size(); ++k)
         for (int r = 0; r < n; ++r)
-            for (int c = 0; c <= r; ++c) moment[r][c] += samples.weight[k] * basis(k, r) * basis(k, c);
+            for (int c = 0; c <= r; ++c)
+                moment[r][c] += samples.weight[k] * basis(k, r) * basis(k, c);
     std::vector<Real> weights(samples.weight);
     std::array<Real, 4> coefficient{};
-    if (static_cast<int>(samples.size()) >= dimension + 2 && solveForValue(moment, n, coefficient)) {
+    if (static_cast<int>(samples.size()) >= dimension + 2 &&
+        solveForValue(moment, n, coefficient)) {
         Real growth = 0;
         for (std::size_t k = 0; k < samples.size(); ++k) {
             Real value = 0;
@@ -178,6 +186,9 @@ Vec<3> pointIn(const FlowView& flow, const Vector3& point)
     return Vec<3>{{point[0], point[1], flow.dimension == 2 ? 0 : point[2]}};
 }
 
-Vec<3> upward(const FlowView& flow) { return -unit(toVec(flow.gravity)); }
+Vec<3> upward(const FlowView& flow)
+{
+    return -unit(toVec(flow.gravity));
+}
 
 }  // namespace isph

@@ -15,8 +15,9 @@ namespace {
 ///   potential     - sum m g.x [J], g with the uniform body force; it jumps where a particle leaves
 ///                 through a periodic end along g
 ///   total         their sum
-///   change        of the total since the run began (through restarts, from the first row of its file)
-///   gravityPower  sum m g.u [W], the rate at which gravity turns potential into kinetic energy: what the
+///   change        of the total since the run began (through restarts, from the first row of its
+///   file) gravityPower  sum m g.u [W], the rate at which gravity turns potential into kinetic
+///   energy: what the
 ///                 kinetic energy gains less than its time integral is dissipated
 ///   maxSpeed      largest |u| [m/s]
 class Energy : public FunctionObject {
@@ -30,8 +31,10 @@ public:
         const std::size_t n = flow.position.size();
         const Real mass = flow.particleMass();
         const Vec<3> g = toVec(flow.gravity);
-        const Real kinetic = mass * orderedSum(n, [&](Index i) { return 0.5 * normSqr(toVec(u[i])); });
-        const Real potential = -mass * orderedSum(n, [&](Index i) { return dot(g, toVec(flow.position[i])); });
+        const Real kinetic =
+            mass * orderedSum(n, [&](Index i) { return 0.5 * normSqr(toVec(u[i])); });
+        const Real potential =
+            -mass * orderedSum(n, [&](Index i) { return dot(g, toVec(flow.position[i])); });
         const Real power = mass * orderedSum(n, [&](Index i) { return dot(g, toVec(u[i])); });
         const Real fastest = orderedMax(n, 0, [&](Index i) { return norm(toVec(u[i])); });
         const Real total = kinetic + potential;
@@ -52,9 +55,9 @@ public:
     }
 
 private:
-    static inline const std::vector<std::string> kColumns{"kinetic", "potential", "total",
-                                                          "change", "gravityPower", "maxSpeed"};
-    Real start_ = std::numeric_limits<Real>::quiet_NaN();   ///< total at the beginning, none yet
+    static inline const std::vector<std::string> kColumns{"kinetic", "potential",    "total",
+                                                          "change",  "gravityPower", "maxSpeed"};
+    Real start_ = std::numeric_limits<Real>::quiet_NaN();  ///< total at the beginning, none yet
 };
 
 const FunctionObject::Table::Entry<Energy> entry{"energy"};

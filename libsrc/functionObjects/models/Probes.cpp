@@ -9,22 +9,24 @@
 namespace isph {
 namespace {
 
-/// Fields at points, interpolated by moving least squares (KernelField.hpp): exact for linear fields
-/// where the neighbours carry a gradient, also in the surface of a wall. A point that is not in the water
-/// (Shares::inWater) gives 0 for every field, the pressure of the air.
-///   fields (p U mag(U));   a scalar gives one column a point, a vector one a component (x y, in 3-D z),
-///   mag(...) the magnitude of the interpolated vector.
+/// Fields at points, interpolated by moving least squares (KernelField.hpp): exact for linear
+/// fields where the neighbours carry a gradient, also in the surface of a wall. A point that is not
+/// in the water (Shares::inWater) gives 0 for every field, the pressure of the air.
+///   fields (p U mag(U));   a scalar gives one column a point, a vector one a component (x y, in
+///   3-D z), mag(...) the magnitude of the interpolated vector.
 class Probes : public FunctionObject {
 public:
     static Schema keys()
     {
-        return keysWith({Key::list("fields", "Fields of the water: p, U, UDarcy, porosity, ...; mag(U): its magnitude."),
-                         Key::list("probeLocations", "Points ((x y z) ...), or ((x y) ...) in 2-D.").units(dims::length)});
+        return keysWith(
+            {Key::list("fields",
+                       "Fields of the water: p, U, UDarcy, porosity, ...; mag(U): its magnitude."),
+             Key::list("probeLocations", "Points ((x y z) ...), or ((x y) ...) in 2-D.")
+                 .units(dims::length)});
     }
 
     explicit Probes(const Dictionary& dict)
-        : dict_(dict),
-          points_(dict.get<std::vector<Vector3>>("probeLocations", dims::length))
+        : dict_(dict), points_(dict.get<std::vector<Vector3>>("probeLocations", dims::length))
     {
         if (points_.empty()) dict.fail("probeLocations", "probeLocations holds no point");
         for (const Token& token : dict.tokens("fields")) readName(token);
@@ -38,7 +40,9 @@ public:
         const KernelField field(flow);
         const std::size_t width = columnsOfPoint().size();
         std::vector<Real> row(points_.size() * width);
-        parallelFor(points_.size(), [&](Index p) { sample(field, pointIn(flow, points_[p]), Span<Real>(row).subspan(p * width, width)); });
+        parallelFor(points_.size(), [&](Index p) {
+            sample(field, pointIn(flow, points_[p]), Span<Real>(row).subspan(p * width, width));
+        });
         return row;
     }
 
@@ -46,7 +50,8 @@ public:
     {
         std::vector<std::string> all;
         for (std::size_t p = 0; p < points_.size(); ++p)
-            for (const std::string& name : columnsOfPoint()) all.push_back(fmt::format("{}_{}", name, p));
+            for (const std::string& name : columnsOfPoint())
+                all.push_back(fmt::format("{}_{}", name, p));
         return all;
     }
 
@@ -54,7 +59,8 @@ public:
     {
         std::vector<std::string> lines;
         for (std::size_t p = 0; p < points_.size(); ++p)
-            lines.push_back(fmt::format("Probe {} ({} {} {})", p, points_[p][0], points_[p][1], points_[p][2]));
+            lines.push_back(
+                fmt::format("Probe {} ({} {} {})", p, points_[p][0], points_[p][1], points_[p][2]));
         return lines;
     }
 
@@ -77,13 +83,15 @@ private:
                 for (const auto& entry : flow.scalars) names.push_back(entry.first);
             for (const auto& entry : flow.vectors) names.push_back(entry.first);
             dict.fail("fields", fmt::format("Unknown {} {}\n\nValid ones are:\n\n{}",
-                                            magnitude ? "vector field in mag" : "field", field, listOf(names)));
+                                            magnitude ? "vector field in mag" : "field", field,
+                                            listOf(names)));
         }
     };
 
     void readName(const Token& token)
     {
-        // The dictionary's list (p mag(U)) comes as the marks ( p mag ( U ) ) or with mag(U) as one word.
+        // The dictionary's list (p mag(U)) comes as the marks ( p mag ( U ) ) or with mag(U) as one
+        // word.
         if (token.kind == Token::Kind::punctuation || token.kind == Token::Kind::number) return;
         if (token.text == "mag") {
             pendingMagnitude_ = true;
@@ -106,7 +114,8 @@ private:
             else if (quantity.scalar)
                 names.push_back(quantity.field);
             else
-                for (int d = 0; d < dimension_; ++d) names.push_back(quantity.field + "_" + component[d]);
+                for (int d = 0; d < dimension_; ++d)
+                    names.push_back(quantity.field + "_" + component[d]);
         return names;
     }
 
@@ -115,7 +124,8 @@ private:
         if (!field.shares(x).inWater()) return;
         KernelSamples samples;
         field.water().gather(x, samples);
-        const std::vector<Real> weights = interpolationWeights(samples, dimension_, field.water().reach());
+        const std::vector<Real> weights =
+            interpolationWeights(samples, dimension_, field.water().reach());
         std::size_t k = 0;
         for (const Quantity& quantity : quantities_) {
             if (quantity.scalar) {
@@ -127,7 +137,8 @@ private:
             Vec<3> value{};
             for (std::size_t j = 0; j < samples.size(); ++j)
                 value += weights[j] * toVec((*quantity.vector)[samples.owner[j]]);
-            if (quantity.magnitude) values[k++] = norm(value);
+            if (quantity.magnitude)
+                values[k++] = norm(value);
             else
                 for (int d = 0; d < dimension_; ++d) values[k++] = value[d];
         }

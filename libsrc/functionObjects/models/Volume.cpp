@@ -10,7 +10,7 @@
 namespace isph {
 namespace {
 
-constexpr Real kSolidWidth = 0.5;   // of h: 20 spacings cubed lose 0.2 % at the edges, with h 0.9 %
+constexpr Real kSolidWidth = 0.5;  // of h: 20 spacings cubed lose 0.2 % at the edges, with h 0.9 %
 
 using Block = std::array<Index, 3>;
 
@@ -20,24 +20,25 @@ bool isSpray(const KernelField& field, Index i)
     return !field.shares(toVec(field.flow().position[i])).inWater();
 }
 
-/// Share of a cell of edge `edge` that lies where a smooth field is positive, from its value and gradient
-/// at the centre: exact where the surface of a half-space is parallel to a face. Other inclinations err to
-/// both sides and cancel over a surface.
+/// Share of a cell of edge `edge` that lies where a smooth field is positive, from its value and
+/// gradient at the centre: exact where the surface of a half-space is parallel to a face. Other
+/// inclinations err to both sides and cancel over a surface.
 Real filledShare(Real value, const Vec<3>& gradient, Real edge)
 {
-    const Real rise = edge * norm(gradient);   // of the field through the cell
+    const Real rise = edge * norm(gradient);  // of the field through the cell
     return std::clamp(0.5 + value / std::max(rise, Real(1e-12)), Real(0), Real(1));
 }
 
-/// The grid of cells of edge d0/2 over the water. It is anchored at the origin, so that a volume does not
-/// change with the extent of the water.
+/// The grid of cells of edge d0/2 over the water. It is anchored at the origin, so that a volume
+/// does not change with the extent of the water.
 class CellSum {
 public:
     explicit CellSum(const KernelField& field)
         : field_(field),
           flow_(field.flow()),
           solid_(flow_, flow_.wallPosition, flow_.wallVolume,
-                 std::vector<Real>(flow_.wallPosition.size(), kSolidWidth * flow_.smoothingRatio * flow_.spacing)),
+                 std::vector<Real>(flow_.wallPosition.size(),
+                                   kSolidWidth * flow_.smoothingRatio * flow_.spacing)),
           cell_(0.5 * flow_.spacing),
           width_(static_cast<int>(std::ceil(field.water().reach() / cell_)))
     {
@@ -59,7 +60,8 @@ private:
         std::vector<Block> own;
         for (const Vec<3>& x : field_.water().position()) {
             own.emplace_back();
-            for (int d = 0; d < flow_.dimension; ++d) own.back()[d] = static_cast<Index>(std::floor(x[d] / edge));
+            for (int d = 0; d < flow_.dimension; ++d)
+                own.back()[d] = static_cast<Index>(std::floor(x[d] / edge));
         }
         makeUnique(own);
         std::vector<Block> all;
@@ -67,7 +69,8 @@ private:
         for (const Block& block : own)
             for (Index c = -layers; c <= layers; ++c)
                 for (Index b = -1; b <= 1; ++b)
-                    for (Index a = -1; a <= 1; ++a) all.push_back({block[0] + a, block[1] + b, block[2] + c});
+                    for (Index a = -1; a <= 1; ++a)
+                        all.push_back({block[0] + a, block[1] + b, block[2] + c});
         makeUnique(all);
         return all;
     }
@@ -85,7 +88,8 @@ private:
         for (int c = 0; c < layers; ++c)
             for (int b = 0; b < width_; ++b)
                 for (int a = 0; a < width_; ++a)
-                    sum += inCell({block[0] * width_ + a, block[1] * width_ + b, block[2] * width_ + c});
+                    sum += inCell(
+                        {block[0] * width_ + a, block[1] * width_ + b, block[2] * width_ + c});
         return sum;
     }
 
@@ -96,7 +100,8 @@ private:
         for (int d = 0; d < flow_.dimension; ++d) {
             const Real low = number[d] * cell_, high = low + cell_;
             x[d] = low + 0.5 * cell_;
-            volume *= flow_.periodic[d] ? std::max(Real(0), std::min(high, flow_.domainMax[d]) - std::max(low, flow_.domainMin[d]))
+            volume *= flow_.periodic[d] ? std::max(Real(0), std::min(high, flow_.domainMax[d]) -
+                                                                std::max(low, flow_.domainMin[d]))
                                         : cell_;
         }
         if (volume <= 0) return 0;
@@ -104,8 +109,8 @@ private:
         if (shares.water <= 0) return 0;
         const Real wet = filledShare(shares.water - 0.5 * (1 - shares.wall),
                                      shares.waterGradient + 0.5 * shares.wallGradient, cell_);
-        const Real filled = wet > 0 ? std::min(wet, openShare(x)) : 0;
-        return filled > 0 ? volume * filled * porosityAt(x) : 0;
+        const Real filled = wet > 0 && shares.wall > 0 ? std::min(wet, openShare(x)) : wet;
+        return filled > 0 ? volume * filled * shares.pores / shares.water : 0;
     }
 
     Real openShare(const Vec<3>& x) const
@@ -121,18 +126,6 @@ private:
         return filledShare(0.5 - share, gradient, cell_);
     }
 
-    Real porosityAt(const Vec<3>& x) const
-    {
-        thread_local KernelSamples samples;
-        field_.water().gather(x, samples);
-        Real sum = 0, weight = 0;
-        for (std::size_t k = 0; k < samples.size(); ++k) {
-            sum += samples.weight[k] * flow_.porosity[samples.owner[k]];
-            weight += samples.weight[k];
-        }
-        return sum / weight;
-    }
-
     const KernelField& field_;
     const FlowView& flow_;
     KernelCloud solid_;
@@ -140,16 +133,20 @@ private:
     int width_;
 };
 
-/// Water volume on a grid of spacing d0/2, beside that of the particles.              [m3, in 2-D m2]
-///   grid        sum over cells (d0/2)^D eps min(s, w): s the share of the cell below the water surface,
-///               where the water fills half of what the walls leave (water share = (1 - wall share)/2), w
-///               that outside the walls (wall share < 1/2, by kernels of half the width, because the
-///               contour of a share cuts corners off), both from the kernel sums at its centre; eps the
-///               interpolated porosity
-///   spray       m/rho0 of the particles whose own place is not in that water (drops of one or a few
+/// Water volume on a grid of spacing d0/2, beside that of the particles.              [m3, in 2-D
+/// m2]
+///   grid        sum over cells (d0/2)^D eps min(s, w): s the share of the cell below the water
+///   surface,
+///               where the water fills half of what the walls leave (water share = (1 - wall
+///               share)/2), w that outside the walls (wall share < 1/2, by kernels of half the
+///               width, because the contour of a share cuts corners off), both from the kernel sums
+///               at its centre; eps the interpolated porosity
+///   spray       m/rho0 of the particles whose own place is not in that water (drops of one or a
+///   few
 ///               particles, whose kernel sum stays below the half)
 ///   particles   sum m/rho0
-///   difference  (grid - particles)/particles, and differenceWithSpray, (grid + spray - particles)/particles
+///   difference  (grid - particles)/particles, and differenceWithSpray, (grid + spray -
+///   particles)/particles
 class Volume : public FunctionObject {
 public:
     static Schema keys() { return keysWith({}); }
@@ -163,8 +160,10 @@ public:
         if (n == 0) return {0, 0, 0, 0, 0};
         const KernelField field(flow);
         const Real grid = CellSum(field).volume();
-        const Real spray = one * orderedSum(n, [&](Index i) { return isSpray(field, i) ? 1.0 : 0.0; });
-        return {grid, spray, particles, (grid - particles) / particles, (grid + spray - particles) / particles};
+        const Real spray =
+            one * orderedSum(n, [&](Index i) { return isSpray(field, i) ? 1.0 : 0.0; });
+        return {grid, spray, particles, (grid - particles) / particles,
+                (grid + spray - particles) / particles};
     }
 
     std::vector<std::string> columns() const override
@@ -172,7 +171,10 @@ public:
         return {"grid", "spray", "particles", "difference", "differenceWithSpray"};
     }
 
-    std::vector<std::string> header() const override { return {"volumes [m3], in 2-D [m2]; differences as fractions"}; }
+    std::vector<std::string> header() const override
+    {
+        return {"volumes [m3], in 2-D [m2]; differences as fractions"};
+    }
 };
 
 const FunctionObject::Table::Entry<Volume> entry{"volume"};

@@ -14,8 +14,9 @@ namespace isph {
 namespace {
 
 constexpr Real kHalf = 0.5;
-constexpr Real kScanSteps = 4;          // heights per d0: a quarter of the thinnest layer of particles
-constexpr Real kLeastWaterShare = 0.125;   // of the half at a surface: in a corner of the walls still met
+constexpr Real kScanSteps = 4;  // heights per d0: a quarter of the thinnest layer of particles
+constexpr Real kLeastWaterShare =
+    0.125;  // of the half at a surface: in a corner of the walls still met
 
 Schema lineKeys()
 {
@@ -41,12 +42,15 @@ std::vector<Vector3> readLine(const Dictionary& dict)
 /// One vertical of the flow: the sums by which a height is judged.
 class Vertical {
 public:
-    Vertical(const KernelField& field, const Vec<3>& foot, const Vec<3>& up) : field_(field), foot_(foot), up_(up) {}
+    Vertical(const KernelField& field, const Vec<3>& foot, const Vec<3>& up)
+        : field_(field), foot_(foot), up_(up)
+    {
+    }
 
     struct Sums {
-        Real water = 0;   ///< share of water
-        Real below = 0;   ///< share of wall that lies below the height
-        Real wall = 0;    ///< share of wall
+        Real water = 0;  ///< share of water
+        Real below = 0;  ///< share of wall that lies below the height
+        Real wall = 0;   ///< share of wall
 
         /// What a still surface at this height would leave: 1/2 exactly on it, also beside walls.
         Real filled() const { return water + below; }
@@ -62,7 +66,8 @@ public:
         field_.walls().gather(x, samples);
         const Real spacing = field_.flow().spacing;
         for (std::size_t k = 0; k < samples.size(); ++k) {
-            const Real above = dot(samples.offset[k], up_) / spacing;   // of x above the wall particle
+            const Real above =
+                dot(samples.offset[k], up_) / spacing;  // of x above the wall particle
             sums.below += samples.weight[k] * std::clamp(kHalf + above, Real(0), Real(1));
             sums.wall += samples.weight[k];
         }
@@ -74,7 +79,7 @@ public:
     Real crossing(Real low, Real high, Share&& share) const
     {
         const bool filledAtLow = share(at(low)) >= kHalf;
-        for (int k = 0; k < 40; ++k) {   // a quarter spacing halved until round-off
+        for (int k = 0; k < 40; ++k) {  // a quarter spacing halved until round-off
             const Real middle = 0.5 * (low + high);
             ((share(at(middle)) >= kHalf) == filledAtLow ? low : high) = middle;
         }
@@ -86,36 +91,50 @@ private:
     Vec<3> foot_, up_;
 };
 
-/// Free-surface elevation (height along the direction opposite to gravity, from the origin) at points or
-/// along a line: the highest z on the vertical of each point where
+/// Free-surface elevation (height along the direction opposite to gravity, from the origin) at
+/// points or along a line: the highest z on the vertical of each point where
 ///     sum over water V_j W  +  sum over walls below z V_j W  =  1/2
-/// Walls below z count as filled, those above as empty (in between over one spacing), so that a still
-/// surface is met beside walls as in the open, on flat, inclined or curved floors, and a layer of one
-/// particle on a floor stands d0 above it.
-/// A layer counts if it rests on a wall, or if it is at least minimumDepth spacings deep: drops and single
-/// particles above the surface do not.
-/// A vertical without water gets dryLevel if given; else the floor, the lowest height at which wall ends;
-/// else, where there is no wall, the lowest height of any particle.
+/// Walls below z count as filled, those above as empty (in between over one spacing), so that a
+/// still surface is met beside walls as in the open, on flat, inclined or curved floors, and a
+/// layer of one particle on a floor stands d0 above it. A layer counts if it rests on a wall, or if
+/// it is at least minimumDepth spacings deep: drops and single particles above the surface do not.
+/// A vertical without water gets dryLevel if given; else the floor, the lowest height at which wall
+/// ends; else, where there is no wall, the lowest height of any particle.
 class WaterLevel : public FunctionObject {
 public:
     static Schema keys()
     {
         return keysWith({
-            Key::list("at", "Points ((x y z) ...) whose verticals are searched.").units(dims::length).mayBeAbsent(),
-            Key::dictionary("line", "Instead of at: start (x y z); end (x y z); n <number of points>;").mayBeAbsent(),
-            Key::scalar("minimumDepth", "Spacings that a layer off the walls must be deep to count; 0: drops count.")
-                .byDefault("2").atLeast(0),
-            Key::scalar("dryLevel", "Elevation written where a vertical holds no water; else the floor.")
-                .units(dims::length).mayBeAbsent(),
-            Key::vector("direction", "Upward direction; opposite to gravity where absent.").mayBeAbsent(),
+            Key::list("at", "Points ((x y z) ...) whose verticals are searched.")
+                .units(dims::length)
+                .mayBeAbsent(),
+            Key::dictionary("line",
+                            "Instead of at: start (x y z); end (x y z); n <number of points>;")
+                .mayBeAbsent(),
+            Key::scalar(
+                "minimumDepth",
+                "Spacings that a layer off the walls must be deep to count; 0: drops count.")
+                .byDefault("2")
+                .atLeast(0),
+            Key::scalar("dryLevel",
+                        "Elevation written where a vertical holds no water; else the floor.")
+                .units(dims::length)
+                .mayBeAbsent(),
+            Key::vector("direction", "Upward direction; opposite to gravity where absent.")
+                .mayBeAbsent(),
         });
     }
 
-    explicit WaterLevel(const Dictionary& dict) : dict_(dict), minimumDepth_(keys().get<Real>(dict, "minimumDepth"))
+    explicit WaterLevel(const Dictionary& dict)
+        : dict_(dict), minimumDepth_(keys().get<Real>(dict, "minimumDepth"))
     {
         if (dict.found("at") == dict.found("line"))
-            dict.fail("at", fmt::format("\"{}\" needs either at ((x y z) ...); or line {{ start; end; n; }}", dict.name()));
-        points_ = dict.found("at") ? dict.get<std::vector<Vector3>>("at", dims::length) : readLine(dict.subDict("line"));
+            dict.fail(
+                "at",
+                fmt::format("\"{}\" needs either at ((x y z) ...); or line {{ start; end; n; }}",
+                            dict.name()));
+        points_ = dict.found("at") ? dict.get<std::vector<Vector3>>("at", dims::length)
+                                   : readLine(dict.subDict("line"));
         if (points_.empty()) dict.fail("at", "at holds no point");
         if (dict.found("dryLevel")) dryLevel_ = dict.get<Real>("dryLevel", dims::length);
         if (!dict.found("direction")) return;
@@ -127,13 +146,15 @@ public:
     {
         const Vec<3> up = up_ ? *up_ : upward(flow);
         if (normSqr(up) == 0)
-            dict_.fail("direction", "without gravity there is no upward direction: give direction (x y z)");
+            dict_.fail("direction",
+                       "without gravity there is no upward direction: give direction (x y z)");
         const KernelField field(flow);
         std::vector<Real> levels(points_.size());
         const auto [low, high] = extent(field, up);
         parallelForDynamic(points_.size(), [&, lowest = low, highest = high](Index p) {
             const Vec<3> point = pointIn(flow, points_[p]);
-            levels[p] = level(Vertical(field, point - dot(point, up) * up, up), lowest, highest, flow.spacing);
+            levels[p] = level(Vertical(field, point - dot(point, up) * up, up), lowest, highest,
+                              flow.spacing);
         });
         return levels;
     }
@@ -178,7 +199,8 @@ private:
     Real level(const Vertical& vertical, Real lowest, Real highest, Real spacing) const
     {
         const Real step = spacing / kScanSteps;
-        const int n = static_cast<int>(std::ceil((highest - lowest) / step)) + 2 * static_cast<int>(kScanSteps);
+        const int n = static_cast<int>(std::ceil((highest - lowest) / step)) +
+                      2 * static_cast<int>(kScanSteps);
         const auto height = [&](int k) { return lowest - spacing + k * step; };
         std::vector<Vertical::Sums> sums(n + 1);
         for (int k = 0; k <= n; ++k) sums[k] = vertical.at(height(k));
@@ -197,7 +219,8 @@ private:
         if (dryLevel_) return *dryLevel_;
         for (int k = 0; k < n; ++k)
             if (sums[k].wall >= kHalf && sums[k + 1].wall < kHalf)
-                return vertical.crossing(height(k), height(k + 1), [](const Vertical::Sums& s) { return s.wall; });
+                return vertical.crossing(height(k), height(k + 1),
+                                         [](const Vertical::Sums& s) { return s.wall; });
         return lowest;
     }
 

@@ -20,7 +20,7 @@ namespace {
 
 struct Outcome {
     int code;
-    std::string text;   ///< stdout and stderr
+    std::string text;  ///< stdout and stderr
 };
 
 class Compare : public testing::Test {
@@ -32,9 +32,11 @@ protected:
         fs::create_directories(folder_);
         writeText("speed.dat", "# energy e\n# Time maxSpeed other\n0 0 1\n1 -3 1\n2 2 1\n3 1 1\n");
         // A surface that falls by 0.1 m/s everywhere, 0.3 - 0.1 t - 0.2 x at x = 0 .. 1
-        writeText("gauge/0/gauge.dat", "# waterLevel gauge\n# x 0 0.5 1\n# Time level_0 level_1 level_2\n"
-                                       "0 0.3 0.2 0.1\n1 0.2 0.1 0\n");
-        writeText("gauge/1/gauge.dat", "# x 0 0.5 1\n# Time level_0 level_1 level_2\n2 0.1 0 -0.1\n");
+        writeText("gauge/0/gauge.dat",
+                  "# waterLevel gauge\n# x 0 0.5 1\n# Time level_0 level_1 level_2\n"
+                  "0 0.3 0.2 0.1\n1 0.2 0.1 0\n");
+        writeText("gauge/1/gauge.dat",
+                  "# x 0 0.5 1\n# Time level_0 level_1 level_2\n2 0.1 0 -0.1\n");
     }
     void TearDown() override { fs::remove_all(folder_); }
     void writeText(const fs::path& file, const std::string& text) const
@@ -57,7 +59,8 @@ protected:
     }
     Outcome run(const std::string& options) const
     {
-        const std::string command = std::string(ISPH_COMPARE) + " -case '" + folder_.string() + "' " + options + " 2>&1";
+        const std::string command =
+            std::string(ISPH_COMPARE) + " -case '" + folder_.string() + "' " + options + " 2>&1";
         FILE* pipe = popen(command.c_str(), "r");
         std::string text;
         std::array<char, 256> part{};
@@ -81,7 +84,7 @@ private:
 
 TEST_F(Compare, MeasuresAreWhatTheirNamesSay)
 {
-    const std::vector<Sample> all = samples(series("maxSpeed"), {});   // 0 -3 2 1
+    const std::vector<Sample> all = samples(series("maxSpeed"), {});  // 0 -3 2 1
     EXPECT_DOUBLE_EQ(measure("last", all), 1);
     EXPECT_DOUBLE_EQ(measure("mean", all), 0);
     EXPECT_DOUBLE_EQ(measure("max", all), 3);
@@ -96,7 +99,7 @@ TEST_F(Compare, ASeriesIsCutToItsTimesAndPooledOverColumns)
     source.from = 2;
     EXPECT_EQ(samples(source, {}).size(), 4u);
     source.to = 2.5;
-    EXPECT_DOUBLE_EQ(measure("mean", samples(source, {1, {}})), 0.5);   // of 2 and 1 less 1
+    EXPECT_DOUBLE_EQ(measure("mean", samples(source, {1, {}})), 0.5);  // of 2 and 1 less 1
     source.times = {0.5, 2.25};
     source.columns = "maxSpeed";
     const std::vector<Sample> between = samples(source, {});
@@ -115,7 +118,8 @@ TEST_F(Compare, ASeriesIsHeldAgainstAReferenceAtItsTimes)
 
 TEST_F(Compare, AProfileIsInterpolatedInPlaceAndTimeAcrossARestart)
 {
-    // 10 mm above the exact surface at one point, 20 mm below it at the other; a third time is not asked for
+    // 10 mm above the exact surface at one point, 20 mm below it at the other; a third time is not
+    // asked for
     writeText("ref.csv", "t_s,x_m,z_m\n0.5,0.25,0.21\n1.5,0.75,-0.02\n2,0.5,99\n");
     Source source = profile();
     source.times = {0.5, 1.5};
@@ -130,7 +134,7 @@ TEST_F(Compare, TheFrontIsWhereTheProfileLastFallsThroughTheLevel)
 {
     Source source = profile();
     source.front = 0.05;
-    const std::vector<Sample> all = samples(source, {});   // x = (0.25 - 0.1 t)/0.2, inside 0 .. 1
+    const std::vector<Sample> all = samples(source, {});  // x = (0.25 - 0.1 t)/0.2, inside 0 .. 1
     ASSERT_EQ(all.size(), 3u);
     EXPECT_NEAR(all[0].measured, 1, 1e-15);
     EXPECT_NEAR(all[1].measured, 0.75, 1e-15);
@@ -177,13 +181,15 @@ TEST_F(Compare, TheProgramPrintsOneLineAndItsExitCodeIsTheVerdict)
 TEST_F(Compare, TheProgramRefusesOptionsThatDoNotGoTogether)
 {
     for (const std::string options :
-         {"-name x -value 1", "-name x -bound 1", "-name x -bound 1 -value 1 -series speed.dat -column other",
+         {"-name x -value 1", "-name x -bound 1",
+          "-name x -bound 1 -value 1 -series speed.dat -column other",
           "-name x -bound 1 -series speed.dat", "-name x -bound 1 -series nothing.dat -column a",
           "-name x -bound 1 -value 1 -measure median", "-name x -bound 1 -profile gauge",
           "-name x -bound 1 -value 1 -from 2", "-name x -bound 1 -value 1 -relative",
           "-name x -bound 1 -series speed.dat -column other -times 'soon'"}) {
         const Outcome outcome = run(options);
         EXPECT_EQ(outcome.code, 1) << options;
-        EXPECT_NE(outcome.text.find("--> FOAM FATAL"), std::string::npos) << options << outcome.text;
+        EXPECT_NE(outcome.text.find("--> FOAM FATAL"), std::string::npos)
+            << options << outcome.text;
     }
 }

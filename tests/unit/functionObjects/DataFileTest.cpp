@@ -37,7 +37,8 @@ TEST_F(DataFile, GivesBackTheBitsThatWereWritten)
 {
     const std::vector<Real> values{1.0 / 3, -1e-300, 0.1 + 0.2, std::nextafter(1.0, 2.0), 5};
     {
-        DataWriter writer(folder_ / "0/g.dat", {"gauge g", "x 0.1 0.25"}, {"a", "b", "c", "d", "e"});
+        DataWriter writer(folder_ / "0/g.dat", {"gauge g", "x 0.1 0.25"},
+                          {"a", "b", "c", "d", "e"});
         writer.write(std::nextafter(0.35, 1), values);
     }
     const DataTable table = readDataTable(folder_ / "0/g.dat");

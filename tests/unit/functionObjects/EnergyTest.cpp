@@ -46,9 +46,12 @@ TEST(Energy, IsTheSameForAnyNumberOfThreads)
     tank.spacing = 0.002;
     FlowView flow = emptyTank(tank);
     addWater(flow, {0, 0, 0}, {0.2, 0.1, 0});
-    setVelocity(flow, [](const Vector3& x) { return Vector3{std::sin(40 * x[0]), std::cos(30 * x[1]), 0}; });
+    setVelocity(flow, [](const Vector3& x) {
+        return Vector3{std::sin(40 * x[0]), std::cos(30 * x[1]), 0};
+    });
     setThreadCount(1);
-    const std::vector<Real> one = make("type energy;")->measure(flow), oneVolume = make("type volume;")->measure(flow);
+    const std::vector<Real> one = make("type energy;")->measure(flow),
+                            oneVolume = make("type volume;")->measure(flow);
     setThreadCount(4);
     EXPECT_EQ(make("type energy;")->measure(flow), one);
     EXPECT_EQ(make("type volume;")->measure(flow), oneVolume);

@@ -31,13 +31,16 @@ TEST(KernelField, SharesOfWaterAndWallSumToOneAndTheirGradientsAreTheirSlopes)
     addWater(flow, {0, 0, 0}, {0.2, 0.1, 0});
     const KernelField field(flow);
     const Vec<3> beside{{0.003, 0.004, 0}}, surface{{0.1, 0.098, 0}};
-    EXPECT_NEAR(field.shares(beside).water + field.shares(beside).wall, 1, 0.02);   // of a lattice sum
+    EXPECT_NEAR(field.shares(beside).water + field.shares(beside).wall, 1,
+                0.02);  // of a lattice sum
     for (const Vec<3>& x : {beside, surface})
         for (int d = 0; d < 2; ++d) {
             Vec<3> step{};
             step[d] = 1e-6;
-            const Shares a = field.shares(x - step), b = field.shares(x + step), at = field.shares(x);
-            EXPECT_NEAR((b.water - a.water) / 2e-6, at.waterGradient[d], 1e-4);   // central difference, O(step^2)
+            const Shares a = field.shares(x - step), b = field.shares(x + step),
+                         at = field.shares(x);
+            EXPECT_NEAR((b.water - a.water) / 2e-6, at.waterGradient[d],
+                        1e-4);  // central difference, O(step^2)
             EXPECT_NEAR((b.wall - a.wall) / 2e-6, at.wallGradient[d], 1e-4);
         }
 }

@@ -36,8 +36,10 @@ FlowView emptyTank(const Tank& tank)
                 const bool inside = i >= 0 && i < nx && j >= 0 && k >= 0 && k < nz;
                 if (inside) continue;
                 const Real z = tank.dimension == 3 ? (k + 0.5) * tank.spacing : 0;
-                flow.wallPosition.push_back({(i + 0.5) * tank.spacing, (j + 0.5) * tank.spacing, z});
-                flow.wallVolume.push_back(tank.dimension == 2 ? sqr(tank.spacing) : cube(tank.spacing));
+                flow.wallPosition.push_back(
+                    {(i + 0.5) * tank.spacing, (j + 0.5) * tank.spacing, z});
+                flow.wallVolume.push_back(tank.dimension == 2 ? sqr(tank.spacing)
+                                                              : cube(tank.spacing));
             }
     flow.scalars["p"];
     flow.vectors["U"];
@@ -68,7 +70,8 @@ void jitter(FlowView& flow, Real share)
     std::uniform_real_distribution<Real> uniform(-share, share);
     for (std::size_t i = 0; i < flow.position.size(); ++i)
         for (int d = 0; d < flow.dimension; ++d)
-            flow.position[i][d] += uniform(random) * flow.spacing / std::pow(flow.porosity[i], 1.0 / flow.dimension);
+            flow.position[i][d] +=
+                uniform(random) * flow.spacing / std::pow(flow.porosity[i], 1.0 / flow.dimension);
 }
 
 Vector3 turned(const Vector3& x, Real angle)

@@ -22,11 +22,12 @@ struct Tank {
 /// The empty tank: kernel, gravity and walls.
 FlowView emptyTank(const Tank& tank);
 
-/// Adds water of the given porosity on a lattice of d0/eps^(1/D) that begins half a spacing from the
-/// corner low and ends before high (in 2-D z is ignored). With U = 0 and p = 0.
+/// Adds water of the given porosity on a lattice of d0/eps^(1/D) that begins half a spacing from
+/// the corner low and ends before high (in 2-D z is ignored). With U = 0 and p = 0.
 void addWater(FlowView& flow, const Vector3& low, const Vector3& high, Real porosity = 1);
 
-/// Moves every water particle by up to `share` of its spacing in each direction, by a fixed sequence.
+/// Moves every water particle by up to `share` of its spacing in each direction, by a fixed
+/// sequence.
 void jitter(FlowView& flow, Real share);
 
 /// Turns the particles and gravity by `angle` [rad] about the z axis through the origin.

@@ -26,7 +26,8 @@ TEST(Volume, OfAFlatTankTwentySpacingsDeepIsHalfAPerCentRightForEveryOffsetOfThe
         FlowView flow = emptyTank({});
         addWater(flow, {0, 0, 0}, {0.2, 0.2, 0});
         for (auto* points : {&flow.position, &flow.wallPosition})
-            for (Vector3& x : *points) x = {x[0] + 1.7 * offset * flow.spacing, x[1] + offset * flow.spacing, 0};
+            for (Vector3& x : *points)
+                x = {x[0] + 1.7 * offset * flow.spacing, x[1] + offset * flow.spacing, 0};
         const Measured v = volume(flow);
         EXPECT_NEAR(v.particles, 0.04, 1e-12);
         EXPECT_NEAR(v.grid / 0.04, 1, 0.005) << "moved by " << offset << " d0";
@@ -45,8 +46,8 @@ TEST(Volume, OfATurnedTankIsHalfAPerCentRight)
 
 TEST(Volume, InSoilCountsThePores)
 {
-    // Water over a layer of soil: the lattices of both have their own spacing, so the face between them
-    // is half a local spacing from the rows on both sides.
+    // Water over a layer of soil: the lattices of both have their own spacing, so the face between
+    // them is half a local spacing from the rows on both sides.
     FlowView flow = emptyTank({});
     const Real local = flow.spacing / std::sqrt(0.4);
     const Real wide = 12 * local;

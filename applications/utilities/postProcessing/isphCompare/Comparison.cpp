@@ -19,17 +19,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr Real kSameTime = 1e-6;      // relative; times in tables are typed, those of runs summed
-constexpr Real kOverhang = 0.05;      // of a profile's length
+constexpr Real kSameTime = 1e-6;  // relative; times in tables are typed, those of runs summed
+constexpr Real kOverhang = 0.05;  // of a profile's length
 
 struct Curve {
     std::string name;
-    std::vector<Real> x, y;   ///< x ascending
+    std::vector<Real> x, y;  ///< x ascending
 };
 
 using Table = std::vector<std::vector<Real>>;
 
-bool sameTime(Real a, Real b) { return std::abs(a - b) <= kSameTime * std::max({Real(1), std::abs(a), std::abs(b)}); }
+bool sameTime(Real a, Real b)
+{
+    return std::abs(a - b) <= kSameTime * std::max({Real(1), std::abs(a), std::abs(b)});
+}
 
 DataTable readData(const fs::path& path)
 {
@@ -38,7 +41,8 @@ DataTable readData(const fs::path& path)
     return table;
 }
 
-/// Rows of numbers between commas; lines that begin with # and a first line of names are passed over.
+/// Rows of numbers between commas; lines that begin with # and a first line of names are passed
+/// over.
 Table readReference(const fs::path& file, std::size_t width)
 {
     std::ifstream in(file);
@@ -57,9 +61,12 @@ Table readReference(const fs::path& file, std::size_t width)
             if (end == part.c_str()) break;
             row.push_back(value);
         }
-        if (row.size() == width) rows.push_back(row);
+        if (row.size() == width)
+            rows.push_back(row);
         else if (!names || !row.empty())
-            throw FatalIOError(fmt::format("expected {} numbers between commas, found '{}'", width, line), file.string(), lineNumber);
+            throw FatalIOError(
+                fmt::format("expected {} numbers between commas, found '{}'", width, line),
+                file.string(), lineNumber);
         names = false;
     }
     if (rows.empty()) throw FatalError(fmt::format("The reference {} holds no row", file.string()));
@@ -71,10 +78,12 @@ Real valueAt(const Curve& curve, Real x, Real overhang, const std::string& what)
 {
     const Real low = curve.x.front(), high = curve.x.back();
     if (x < low - overhang || x > high + overhang)
-        throw FatalError(fmt::format("{}: {} {} lies outside the measured range from {} to {}", curve.name, what, x, low, high));
+        throw FatalError(fmt::format("{}: {} {} lies outside the measured range from {} to {}",
+                                     curve.name, what, x, low, high));
     if (x <= low) return curve.y.front();
     if (x >= high) return curve.y.back();
-    const auto k = static_cast<std::size_t>(std::upper_bound(curve.x.begin(), curve.x.end(), x) - curve.x.begin());
+    const auto k = static_cast<std::size_t>(std::upper_bound(curve.x.begin(), curve.x.end(), x) -
+                                            curve.x.begin());
     const Real share = (x - curve.x[k - 1]) / (curve.x[k] - curve.x[k - 1]);
     return (1 - share) * curve.y[k - 1] + share * curve.y[k];
 }
@@ -111,7 +120,8 @@ std::vector<Curve> seriesOf(const Source& source)
         for (const auto& row : table.rows) curves.back().y.push_back(row[c]);
     }
     if (curves.empty())
-        throw FatalError(fmt::format("{} has no column {}\n\nIts columns are:\n\n{}", source.series.string(), source.columns,
+        throw FatalError(fmt::format("{} has no column {}\n\nIts columns are:\n\n{}",
+                                     source.series.string(), source.columns,
                                      listOf({table.columns.begin() + 1, table.columns.end()})));
     return curves;
 }
@@ -127,12 +137,15 @@ Profiles profilesOf(const Source& source)
     const DataTable table = readData(source.profile);
     const auto points = table.header.find(source.along);
     if (points == table.header.end() || points->second.size() + 1 != table.columns.size())
-        throw FatalError(fmt::format("{} has no line \"# {} ...\" with the coordinate of every column: is it the file of a waterLevel?",
-                                     source.profile.string(), source.along));
+        throw FatalError(
+            fmt::format("{} has no line \"# {} ...\" with the coordinate of every column: is it "
+                        "the file of a waterLevel?",
+                        source.profile.string(), source.along));
     const std::vector<Real>& x = points->second;
     std::vector<std::size_t> order(x.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
     Profiles all{timesOf(table), {}};
     for (const auto& row : table.rows) {
         Curve curve{source.profile.string(), {}, {}};
@@ -145,8 +158,8 @@ Profiles profilesOf(const Source& source)
     return all;
 }
 
-/// Where the profile last falls through the level, seen from its beginning; its beginning if it never
-/// stands above.
+/// Where the profile last falls through the level, seen from its beginning; its beginning if it
+/// never stands above.
 Real frontOf(const Curve& curve, Real level)
 {
     std::size_t k = curve.x.size();
@@ -157,17 +170,20 @@ Real frontOf(const Curve& curve, Real level)
     return curve.x[k - 1] + share * (curve.x[k] - curve.x[k - 1]);
 }
 
-std::vector<Sample> fromSeries(const std::vector<Curve>& curves, const Source& source, const Expectation& expectation)
+std::vector<Sample> fromSeries(const std::vector<Curve>& curves, const Source& source,
+                               const Expectation& expectation)
 {
     std::vector<Sample> all;
-    const Table reference = expectation.reference.empty() ? Table{} : readReference(expectation.reference, 2);
+    const Table reference =
+        expectation.reference.empty() ? Table{} : readReference(expectation.reference, 2);
     const auto wanted = [&](Real t) { return t >= source.from && t <= source.to; };
     for (const Curve& curve : curves) {
         if (!reference.empty()) {
             for (const auto& row : reference)
                 if (wanted(row[0])) all.push_back({row[0], valueAtTime(curve, row[0]), row[1]});
         } else if (!source.times.empty()) {
-            for (const Real time : source.times) all.push_back({time, valueAtTime(curve, time), expectation.value});
+            for (const Real time : source.times)
+                all.push_back({time, valueAtTime(curve, time), expectation.value});
         } else {
             for (std::size_t k = 0; k < curve.x.size(); ++k)
                 if (wanted(curve.x[k])) all.push_back({curve.x[k], curve.y[k], expectation.value});
@@ -181,7 +197,8 @@ Real levelAt(const Profiles& profiles, Real time, Real x, const std::string& fil
 {
     Curve inTime{file, profiles.times, {}};
     const Real length = profiles.curves.front().x.back() - profiles.curves.front().x.front();
-    for (const Curve& curve : profiles.curves) inTime.y.push_back(valueAt(curve, x, kOverhang * length, "point"));
+    for (const Curve& curve : profiles.curves)
+        inTime.y.push_back(valueAt(curve, x, kOverhang * length, "point"));
     return valueAtTime(inTime, time);
 }
 
@@ -197,12 +214,15 @@ std::vector<Sample> fromProfile(const Source& source, const Expectation& expecta
     std::vector<Sample> all;
     for (const auto& row : reference) {
         const auto same = [&](Real time) { return sameTime(time, row[0]); };
-        if (!source.times.empty() && std::none_of(source.times.begin(), source.times.end(), same)) continue;
+        if (!source.times.empty() && std::none_of(source.times.begin(), source.times.end(), same))
+            continue;
         all.push_back({row[0], levelAt(profiles, row[0], row[1], source.profile.string()), row[2]});
     }
     for (const Real time : source.times)
-        if (std::none_of(all.begin(), all.end(), [&](const Sample& s) { return sameTime(s.time, time); }))
-            throw FatalError(fmt::format("The reference {} has no point at time {}", expectation.reference.string(), time));
+        if (std::none_of(all.begin(), all.end(),
+                         [&](const Sample& s) { return sameTime(s.time, time); }))
+            throw FatalError(fmt::format("The reference {} has no point at time {}",
+                                         expectation.reference.string(), time));
     return all;
 }
 
@@ -211,13 +231,19 @@ std::vector<Sample> fromProfile(const Source& source, const Expectation& expecta
 std::vector<Sample> samples(const Source& source, const Expectation& expectation)
 {
     if (source.value) return {{0, *source.value, expectation.value}};
-    const std::vector<Sample> all = source.profile.empty() ? fromSeries(seriesOf(source), source, expectation)
-                                                           : fromProfile(source, expectation);
-    if (all.empty()) throw FatalError(fmt::format("There is nothing to compare from time {} to {}", source.from, source.to));
+    const std::vector<Sample> all = source.profile.empty()
+                                        ? fromSeries(seriesOf(source), source, expectation)
+                                        : fromProfile(source, expectation);
+    if (all.empty())
+        throw FatalError(
+            fmt::format("There is nothing to compare from time {} to {}", source.from, source.to));
     return all;
 }
 
-std::vector<std::string> measureNames() { return {"last", "mean", "max", "min", "rms", "range"}; }
+std::vector<std::string> measureNames()
+{
+    return {"last", "mean", "max", "min", "rms", "range"};
+}
 
 Real measure(const std::string& name, const std::vector<Sample>& all)
 {
@@ -228,7 +254,8 @@ Real measure(const std::string& name, const std::vector<Sample>& all)
         const auto [low, high] = std::minmax_element(all.begin(), all.end(), byValue);
         return high->measured - low->measured;
     }
-    Real latest = all.front().time, sum = 0, squares = 0, largest = 0, smallest = std::numeric_limits<Real>::infinity();
+    Real latest = all.front().time, sum = 0, squares = 0, largest = 0,
+         smallest = std::numeric_limits<Real>::infinity();
     for (const Sample& s : all) latest = std::max(latest, s.time);
     Real atLatest = 0, count = 0;
     for (const Sample& s : all) {

@@ -12,34 +12,36 @@ namespace isph {
 
 /// A value of a run beside what it should be.
 struct Sample {
-    Real time = 0;       ///< [s]
+    Real time = 0;  ///< [s]
     Real measured = 0;
     Real expected = 0;
 };
 
 /// What the samples are taken from. Exactly one of series, profile and value is given.
 struct Source {
-    std::filesystem::path series, profile;   ///< .dat file, or postProcessing/<name> for all its starts
+    std::filesystem::path series,
+        profile;  ///< .dat file, or postProcessing/<name> for all its starts
     std::optional<Real> value;
-    std::string columns = "*";               ///< of a series: names or patterns, between blanks
-    std::string along = "x";                 ///< coordinate of a profile's points
-    std::optional<Real> front;               ///< makes a series of a profile: the largest coordinate
-                                             ///< at which it stands above this level
-    std::vector<Real> times;                 ///< where given, values at these times, between rows linearly
-    Real from, to;                           ///< else the rows between these times
+    std::string columns = "*";  ///< of a series: names or patterns, between blanks
+    std::string along = "x";    ///< coordinate of a profile's points
+    std::optional<Real> front;  ///< makes a series of a profile: the largest coordinate
+                                ///< at which it stands above this level
+    std::vector<Real> times;    ///< where given, values at these times, between rows linearly
+    Real from, to;              ///< else the rows between these times
 };
 
 /// What they are held against: a table, or one number.
 struct Expectation {
     Real value = 0;
-    std::filesystem::path reference;   ///< csv of t, value for a series; of t, x, value for a profile
+    std::filesystem::path
+        reference;  ///< csv of t, value for a series; of t, x, value for a profile
 };
 
 /// The samples, pooled over columns, times and points.
-/// A series with a reference is compared at the times of the reference, a profile at its points at the
-/// times of the source (all of the reference's, where none are given). A point of the reference may lie
-/// outside the profile by 5 % of its length, a time after the last row by one row.
-/// errors  FatalError, FatalIOError: no such file, column, time or point; a value that is no number
+/// A series with a reference is compared at the times of the reference, a profile at its points at
+/// the times of the source (all of the reference's, where none are given). A point of the reference
+/// may lie outside the profile by 5 % of its length, a time after the last row by one row. errors
+/// FatalError, FatalIOError: no such file, column, time or point; a value that is no number
 std::vector<Sample> samples(const Source& source, const Expectation& expectation);
 
 /// Names of the measures: last mean max min rms range.

@@ -28,11 +28,14 @@ constexpr const char* kDescription =
     "  hydrostatic pressure, in per cent of what it should be, from 1 s on\n"
     "    isphCompare -name pressure -bound 1 -series postProcessing/probes -column p_0 -from 1\n"
     "        -expect 1962 -relative\n"
-    "  largest speed; discharge against its exact value; volume against the particles' in per cent\n"
-    "    isphCompare -name maxU -unit m/s -bound 0.02 -series postProcessing/energy -column maxSpeed\n"
+    "  largest speed; discharge against its exact value; volume against the particles' in per "
+    "cent\n"
+    "    isphCompare -name maxU -unit m/s -bound 0.02 -series postProcessing/energy -column "
+    "maxSpeed\n"
     "    isphCompare -name discharge -bound 2 -series postProcessing/probes -column 'UDarcy_y_*'\n"
     "        -from 5 -measure mean -expect 0.0139 -relative\n"
-    "    isphCompare -name volume -unit % -bound 2 -series postProcessing/volume -column difference\n"
+    "    isphCompare -name volume -unit % -bound 2 -series postProcessing/volume -column "
+    "difference\n"
     "        -scale 100\n"
     "  a number that a script found\n"
     "    isphCompare -name solids -unit kg -bound 1e-9 -value $mass -expect 12.5";
@@ -43,17 +46,22 @@ void declare(CommandLine& line)
         .option("bound", "number", "largest value that is ok")
         .option("unit", "unit", "of value and bound; - where absent, % with -relative")
         .option("value", "number", "the measured value itself")
-        .option("series", "path", "file of a function object, or postProcessing/<name> for all starts of a run")
+        .option("series", "path",
+                "file of a function object, or postProcessing/<name> for all starts of a run")
         .option("column", "names", "columns of the series, pooled; * and ? stand for any letters")
         .option("profile", "path", "file or folder of a waterLevel along a line")
         .option("along", "x|y|z", "coordinate of the profile's points; x where absent")
-        .option("front", "level", "takes from a profile the largest coordinate where it stands above this level")
+        .option("front", "level",
+                "takes from a profile the largest coordinate where it stands above this level")
         .option("times", "'t1 t2 ...'", "compares at these times, between rows linearly")
         .option("from", "time", "leaves out earlier rows (or points of a series' reference)")
         .option("to", "time", "leaves out later ones")
         .option("expect", "number", "what is subtracted; 0 where absent")
-        .option("reference", "csv", "what is subtracted: t,value of a series; t,x,value of a profile")
-        .option("measure", "name", "last, mean, max (where absent), min or rms of the deviations, or range of the values")
+        .option("reference", "csv",
+                "what is subtracted: t,value of a series; t,x,value of a profile")
+        .option(
+            "measure", "name",
+            "last, mean, max (where absent), min or rms of the deviations, or range of the values")
         .option("scale", "factor", "multiplies measured and expected values")
         .flag("relative", "in per cent of what is expected, the largest of a reference");
 }
@@ -63,7 +71,8 @@ std::vector<Real> numbers(const std::string& option, const std::string& text)
     std::vector<Real> all;
     std::istringstream in(text);
     for (Real value; in >> value;) all.push_back(value);
-    if (!in.eof() || all.empty()) throw FatalError("-" + option + " '" + text + "' is no list of numbers");
+    if (!in.eof() || all.empty())
+        throw FatalError("-" + option + " '" + text + "' is no list of numbers");
     return all;
 }
 
@@ -81,17 +90,20 @@ void checkCombination(const CommandLine& line)
     only("column", line.has("series"), "belongs to -series");
     only("front", line.has("profile"), "belongs to -profile");
     only("along", line.has("profile"), "belongs to -profile");
-    only("times", !line.has("value") && !(series && line.has("reference")), "does not go with -value, nor with a series' -reference, which has its own times");
+    only("times", !line.has("value") && !(series && line.has("reference")),
+         "does not go with -value, nor with a series' -reference, which has its own times");
     only("from", series && !line.has("times"), "belongs to a series without -times");
     only("to", series && !line.has("times"), "belongs to a series without -times");
     only("reference", !line.has("value"), "does not go with -value");
     only("expect", !line.has("reference"), "does not go with -reference");
     if (line.has("series") && !line.has("column")) throw FatalError("-series needs -column");
-    if (line.has("profile") && !series && !line.has("reference")) throw FatalError("-profile needs -reference, or -front");
+    if (line.has("profile") && !series && !line.has("reference"))
+        throw FatalError("-profile needs -reference, or -front");
     const std::vector<std::string> names = measureNames();
     const std::string name = line.value("measure", "max");
     if (std::find(names.begin(), names.end(), name) == names.end())
-        throw FatalError(fmt::format("Unknown measure {}\n\nValid measures are:\n\n{}", name, listOf(names)));
+        throw FatalError(
+            fmt::format("Unknown measure {}\n\nValid measures are:\n\n{}", name, listOf(names)));
 }
 
 Source sourceOf(const CommandLine& line)
@@ -124,9 +136,9 @@ int compare(const CommandLine& line)
     if (line.has("relative")) all = inPerCent(std::move(all));
     const Real value = measure(line.value("measure", "max"), all);
     const Real bound = line.number("bound", 0);
-    const bool ok = value <= bound;   // false for a value that is no number
-    info("{} {:.4g} {} bound {:g} {}", line.value("name"), value, line.value("unit", line.has("relative") ? "%" : "-"),
-         bound, ok ? "ok" : "FAIL");
+    const bool ok = value <= bound;  // false for a value that is no number
+    info("{} {:.4g} {} bound {:g} {}", line.value("name"), value,
+         line.value("unit", line.has("relative") ? "%" : "-"), bound, ok ? "ok" : "FAIL");
     return ok ? 0 : 1;
 }
 
