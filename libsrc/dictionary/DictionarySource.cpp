@@ -14,6 +14,17 @@
 
 namespace isph {
 
+namespace {
+
+/// A brace within a value: 2{0.5}, #eval{ 1 + 2 }, or ${n}{0.5}.
+bool mayPrecedeBrace(const Lexeme& lexeme)
+{
+    return lexeme.kind == Lexeme::Kind::number || lexeme.kind == Lexeme::Kind::directive ||
+           lexeme.kind == Lexeme::Kind::variable;
+}
+
+}  // namespace
+
 DictionarySource::DictionarySource(std::string text, std::string name)
     : text_(std::move(text)), name_(std::move(name))
 {
@@ -77,20 +88,23 @@ DictionarySource::Item DictionarySource::parseItem(Lexer& lexer, const Lexeme& f
         return item;
     }
     int depth = 0;
+    Lexeme before = first;
     for (Lexeme lexeme = lexer.next();; lexeme = lexer.next()) {
         if (depth == 0 && lexeme.is(';')) {
             item.end = lexeme.end;
             return item;
         }
+        const bool strayBrace = depth == 0 && lexeme.is('{') && !mayPrecedeBrace(before);
         if (lexeme.is('(') || lexeme.is('[') || lexeme.is('{')) ++depth;
         if (lexeme.is(')') || lexeme.is(']') || lexeme.is('}')) --depth;
-        if (lexeme.kind == Lexeme::Kind::end || depth < 0)
+        if (lexeme.kind == Lexeme::Kind::end || depth < 0 || strayBrace)
             throw FatalIOError(
                 fmt::format("The entry '{}' does not end: a ';' is missing before line {}",
                             item.key, lexeme.line),
                 name_, item.line);
         if (item.valueEnd == first.end) item.valueBegin = lexeme.begin;
         item.valueEnd = lexeme.end;
+        before = lexeme;
     }
 }
 
@@ -164,8 +178,8 @@ const DictionarySource::Item& DictionarySource::effective(const std::vector<cons
         const Dictionary* dict = &whole;
         for (std::size_t k = 0; k + 1 < path.size(); ++k) dict = &dict->subDict(path[k]);
         const Location at = dict->location(path.back());
-        for (const Item* item : found)
-            if (at.file == name_ && item->line == at.line) return *item;
+        for (auto item = found.rbegin(); item != found.rend(); ++item)
+            if (at.file == name_ && (*item)->line == at.line) return **item;
     } catch (const FatalError&) {
         // What does not resolve can still be mended: the last one it is.
     }

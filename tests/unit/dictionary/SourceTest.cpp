@@ -167,6 +167,9 @@ TEST(Source, AnEntryThatStandsTwiceIsChangedWhereItCountsAndRemovedEverywhere)
               "s { a 1; }\ns { a 3; b 1; }\n#if no\nk 1;\n#else\nk 4;\n#endif\n#ifeq 1 1\nm "
               "5;\n#else\nm 2;\n#endif\n");
     EXPECT_EQ(Dictionary::parse(source.text()).get<int>("m"), 5);
+    DictionarySource line("a 1; a 2;", "f");
+    line.set("a", "3");
+    EXPECT_EQ(line.text(), "a 1; a 3;") << "in one line, too";
     source.remove("s/a");
     EXPECT_FALSE(Dictionary::parse(source.text()).subDict("s").found("a"));
 }
@@ -207,6 +210,8 @@ TEST(Source, TextThatIsNoDictionaryIsRefusedWithItsLine)
     EXPECT_EQ(failureOf([] { DictionarySource("\na {", "f"); }).line, 2);
     EXPECT_EQ(failureOf([] { DictionarySource("a 1;\n}", "f"); }).line, 2);
     EXPECT_EQ(failureOf([] { DictionarySource("a 1;\nb 2", "f"); }).line, 2);
+    EXPECT_EQ(failureOf([] { DictionarySource("a 1;\nb c\nd { e 1; }", "f"); }).line, 2);
+    EXPECT_EQ(failureOf([] { DictionarySource("a 2{0.5};\nb #eval{ 1 + 2 };", "f"); }).line, -1);
 }
 
 }  // namespace
