@@ -127,7 +127,7 @@ private:
     void correctVolumes()
     {
         const PointGrid refused(2 * d0_, refused_);
-        const int samples = 24;
+        const int samples = 20;   // eight to a spacing, so that cells of a lattice come out exact
         const Real reach = 1.25 * d0_, step = 2 * reach / samples;
         for (std::size_t i = 0; i < walls_.size(); ++i) {
             if (refused.nearest(walls_.x[i], 1.6 * d0_) < 0) continue;
