@@ -97,7 +97,8 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     }
 }
 
-/// Divergence that brings the filling of space back to the lattice's: eps dn s^2/T.     (5.5), (5.6)
+/// Divergence that brings the filling of space back to the lattice's, eps dn s^2/T, less the volume
+/// that moving solids give way by.                                                (5.5), (5.6)
 template <int Dim>
 void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report)
 {
@@ -112,6 +113,7 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
     divergence_.resize(n);
     std::vector<Real> error(n, 0);
     const auto& c = fields_.corrections;
+    const auto& solids = fields_.soil.solidsDivergence;
     parallelFor(n, [&](Index i) {
         const Real surplus = c.filling[i] - latticeFilling_;
         const Real lambda = c.lambda[i] / Dim;
@@ -119,7 +121,8 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
         const bool pullsInSoil = medium.porosity(i) < kSoilPorosity && lambda > kLeastSupport
                               && role != SurfaceRole::surface;
         const bool acts = surplus > 0 || pullsInSoil || role == SurfaceRole::inner || lambda > kFullSupport;
-        divergence_[i] = acts ? medium.porosity(i) * sqr(medium.damping(i)) * rate * surplus : 0;
+        const Real wanted = acts ? medium.porosity(i) * sqr(medium.damping(i)) * rate * surplus : 0;
+        divergence_[i] = wanted - (solids.empty() ? 0 : solids[i]);
         if (role == SurfaceRole::inner) error[i] = sqr(surplus);
     });
     report.densityError = std::sqrt(orderedSum(n, [&](Index i) { return error[i]; }) / std::max<Index>(1, n));

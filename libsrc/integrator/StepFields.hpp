@@ -21,7 +21,6 @@ struct StepFields {
     std::vector<Vec<Dim>> v;             ///< Darcy velocity: of the predictor, then of the corrector [m/s]
     std::vector<Real> p;                 ///< p/rho0 of water and images [m2/s2]
     std::vector<char> noSlip;            ///< of the wall points, empty where all walls slip
-    std::vector<Real> solidsDivergence;  ///< div q of moving solids [1/s], empty where none moves
 };
 
 }  // namespace isph

@@ -7,11 +7,11 @@
 namespace isph {
 
 namespace {
-constexpr Real kLeastPorosity = 0.02;    // reached only by clumps of released grains
-constexpr Real kClampCentre = 0.5;          // of the drag across a soil surface     [theory (4.13)]
+constexpr Real kLeastPorosity = 0.02;   // reached only by clumps of released grains
+constexpr Real kClampCentre = 0.5;      // of the drag across a soil surface     [theory (4.13)]
 constexpr Real kClampWidth = 0.2;
-constexpr Real kLeastOpenSpace = 0.1;    // share of a kernel that is not wall, deep in corners
-constexpr Real kSoilWidth = 1.5;         // h of the soil sums in d0, for a support of 2 h
+constexpr Real kLeastOpenSpace = 0.1;   // share of a kernel that is not wall, deep in corners
+constexpr Real kSoilWidth = 1.5;        // h of the soil sums in d0, for a support of 2 h
 
 /// Drag factor across a soil surface: no thin tail of drag reaches into the water above it.
 Real clampedShare(Real share)
@@ -21,7 +21,7 @@ Real clampedShare(Real share)
 
 /// sum_j d0^D W(x_j) over a full lattice with a point at x = 0.
 template <int Dim>
-Real latticeSum(const Kernel& kernel, Real sigma, Real hOverSpacing)
+Real latticeSum(const Kernel& kernel, Real hOverSpacing)
 {
     const int m = static_cast<int>(std::ceil(kernel.supportRadius() * hOverSpacing));
     Real sum = 0;
@@ -29,116 +29,163 @@ Real latticeSum(const Kernel& kernel, Real sigma, Real hOverSpacing)
         for (int b = -m; b <= m; ++b)
             for (int c = (Dim == 3 ? -m : 0); c <= (Dim == 3 ? m : 0); ++c) {
                 const Real q = std::sqrt(Real(a * a + b * b + c * c)) / hOverSpacing;
-                if (q >= kernel.supportRadius()) continue;
                 Real w = 0, slope = 0;
-                kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
+                if (q < kernel.supportRadius())
+                    kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
                 sum += w;
             }
-    return sum * sigma / std::pow(hOverSpacing, Dim);
+    return sum * kernel.normalisation(Dim) / std::pow(hOverSpacing, Dim);
 }
 }  // namespace
 
-/// Kernel sums at a point: solid volume fraction of the soil and its gradient, share of walls.
+/// Points near a place with their kernel values, in arrays that are used again.
 template <int Dim>
-struct PorousField<Dim>::Sums {
-    Real solid = 0, share = 0, wall = 0;
-    Vec<Dim> gradShare{}, gradWall{};
+struct PorousField<Dim>::Near {
+    std::vector<Index> j;
+    std::vector<Vec<Dim>> r;
+    std::vector<Real> q, w, slope;
 };
 
 template <int Dim>
 PorousField<Dim>::PorousField(std::vector<SoilZone> zones, const Kernel& kernel,
                               const WallCloud<Dim>& walls, Real spacing)
-    : zones_(std::move(zones)), kernel_(kernel), walls_(walls), spacing_(spacing),
-      h_(kSoilWidth * spacing * 2 / kernel.supportRadius()), reach_(kernel.supportRadius() * h_),
-      sigma_(kernel.normalisation(Dim))
+    : zones_(std::move(zones)),
+      kernel_(kernel),
+      h_(kSoilWidth * spacing * 2 / kernel.supportRadius()),
+      reach_(kernel.supportRadius() * h_),
+      spacing_(spacing),
+      wallX_(walls.x),
+      wallVolume_(walls.volume)
 {
-    latticeSum_ = latticeSum<Dim>(kernel, sigma_, h_ / spacing);
-    wallGrid_.build(walls.x, reach_);
+    const Real power = Dim == 2 ? sqr(h_) : cube(h_);
+    scaleW_ = kernel.normalisation(Dim) / power / latticeSum<Dim>(kernel, h_ / spacing);
+    scaleGrad_ = scaleW_ / sqr(h_);
+    wallGrid_.build(wallX_, reach_);
 }
 
 template <int Dim>
 void PorousField<Dim>::place(const Soil<Dim>& soil, const PeriodicBox<Dim>& box)
 {
     soilX_ = soil.x;
+    soilU_ = soil.u;
     soilVolume_ = soil.solidVolume;
     soilZone_.assign(soil.zone.begin(), soil.zone.end());
+    released_.assign(soil.released.begin(), soil.released.end());
+    anyReleased_ = std::find(released_.begin(), released_.end(), 1) != released_.end();
     for (std::size_t k = 0; k < soil.size() && box.any(); ++k)
         box.forImages(soil.x[k], reach_ + spacing_, [&](const Vec<Dim>& shift) {
             soilX_.push_back(soil.x[k] + shift);
+            soilU_.push_back(soil.u[k]);
             soilVolume_.push_back(soil.solidVolume[k]);
             soilZone_.push_back(static_cast<Index>(soil.zone[k]));
+            released_.push_back(released_[k]);
         });
     soilGrid_.build(soilX_, reach_);
 }
 
 template <int Dim>
-typename PorousField<Dim>::Sums PorousField<Dim>::sumsAt(const Vec<Dim>& x, std::vector<Real>& zoneShare) const
+void PorousField<Dim>::gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points,
+                              const Vec<Dim>& x, Near& near) const
 {
-    Sums s;
+    near.j.clear(), near.r.clear(), near.q.clear();
+    grid.forEachNear(x, reach_, [&](Index k) {
+        const Vec<Dim> r = x - points[k];
+        const Real r2 = normSqr(r);
+        if (r2 >= sqr(reach_)) return;
+        near.j.push_back(k), near.r.push_back(r), near.q.push_back(std::sqrt(r2) / h_);
+    });
+    near.w.resize(near.q.size()), near.slope.resize(near.q.size());
+    kernel_.evaluate(near.q, near.w, near.slope);
+}
+
+template <int Dim>
+SoilSums<Dim> PorousField<Dim>::sums(const Vec<Dim>& x, Index except, Near& near,
+                                     std::vector<Real>& zoneShare) const
+{
+    SoilSums<Dim> s;
     std::fill(zoneShare.begin(), zoneShare.end(), Real(0));
-    const Real scaleW = sigma_ / (Dim == 2 ? sqr(h_) : cube(h_)) / latticeSum_, scaleG = scaleW / sqr(h_);
-    const auto kernelAt = [&](const Vec<Dim>& r, Real& w, Real& slope) {
-        const Real q = norm(r) / h_;
-        kernel_.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
-    };
-    soilGrid_.forEachNear(x, reach_, [&](Index k) {
-        const Vec<Dim> r = x - soilX_[k];
-        if (normSqr(r) >= sqr(reach_)) return;
-        Real w = 0, slope = 0;
-        kernelAt(r, w, slope);
-        const Real V = soilVolume_[k], perSolid = 1 / (1 - zones_[soilZone_[k]].porosity);
-        s.solid += V * w * scaleW;
-        s.share += perSolid * V * w * scaleW;
-        zoneShare[soilZone_[k]] += perSolid * V * w * scaleW;
-        s.gradShare += (perSolid * V * slope * scaleG) * r;
-    });
+    gather(soilGrid_, soilX_, x, near);
+    for (std::size_t n = 0; n < near.j.size(); ++n) {
+        const Index k = near.j[n];
+        if (k == except) continue;
+        const Real VW = soilVolume_[k] * near.w[n] * scaleW_;
+        const Vec<Dim> VgradW = (soilVolume_[k] * near.slope[n] * scaleGrad_) * near.r[n];
+        s.solid += VW;
+        s.gradSolid += VgradW;
+        if (released_[k]) {
+            s.divergence += dot(soilU_[k], VgradW);
+            continue;
+        }
+        const Real perSolid = 1 / (1 - zones_[soilZone_[k]].porosity);
+        s.share += perSolid * VW;
+        zoneShare[soilZone_[k]] += perSolid * VW;
+        s.gradShare += perSolid * VgradW;
+    }
     if (s.solid == 0) return s;
-    wallGrid_.forEachNear(x, reach_, [&](Index k) {
-        const Vec<Dim> r = x - walls_.x[k];
-        if (normSqr(r) >= sqr(reach_)) return;
-        Real w = 0, slope = 0;
-        kernelAt(r, w, slope);
-        s.wall += walls_.volume[k] * w * scaleW;
-        s.gradWall += (walls_.volume[k] * slope * scaleG) * r;
-    });
+    gather(wallGrid_, wallX_, x, near);
+    Real wall = 0;
+    Vec<Dim> gradWall;
+    for (std::size_t n = 0; n < near.j.size(); ++n) {
+        const Real V = wallVolume_[near.j[n]];
+        wall += V * near.w[n] * scaleW_;
+        gradWall += (V * near.slope[n] * scaleGrad_) * near.r[n];
+    }
+    s.open = std::max(kLeastOpenSpace, 1 - wall);
+    s.gradShare += s.share / s.open * gradWall;
+    s.gradSolid += s.solid / s.open * gradWall;
     return s;
+}
+
+template <int Dim>
+SoilSums<Dim> PorousField<Dim>::at(const Vec<Dim>& x, Index except) const
+{
+    Near near;
+    std::vector<Real> zoneShare(zones_.size());
+    return sums(x, except, near, zoneShare);
+}
+
+template <int Dim>
+void PorousField<Dim>::setParticle(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare,
+                                   std::size_t i, PorousState<Dim>& state) const
+{
+    const Real eps = std::max(kLeastPorosity, 1 - s.solid / s.open);
+    const Real share = std::min(Real(1), s.share / s.open);
+    Real a = 0, b = 0, inertia = 1;
+    if (share > 0) {
+        const Real drag = clampedShare(share) / s.share;
+        Real dominant = 0;
+        for (std::size_t z = 0; z < zones_.size(); ++z) {
+            a += drag * zoneShare[z] * zones_[z].resistance.linear;
+            b += drag * zoneShare[z] * zones_[z].resistance.quadratic;
+            if (zoneShare[z] > dominant) {
+                dominant = zoneShare[z];
+                inertia = zones_[z].model->inertiaCoefficient(eps);
+            }
+        }
+    }
+    state.porosity[i] = eps;
+    state.share[i] = share;
+    state.linear[i] = a;
+    state.quadratic[i] = b;
+    state.mobility[i] = eps / inertia;
+    state.normal[i] = s.gradShare;
+    if (anyReleased_) state.solidsDivergence[i] = s.divergence;
 }
 
 template <int Dim>
 void PorousField<Dim>::evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state) const
 {
     const std::size_t n = x.size();
-    state.porosity.resize(n), state.share.resize(n), state.linear.resize(n), state.quadratic.resize(n);
-    state.mobility.resize(n), state.normal.resize(n);
+    state.porosity.resize(n), state.share.resize(n), state.linear.resize(n);
+    state.quadratic.resize(n), state.mobility.resize(n), state.normal.resize(n);
+    state.solidsDivergence.resize(anyReleased_ ? n : 0);
 #pragma omp parallel
     {
+        Near near;
         std::vector<Real> zoneShare(zones_.size());
 #pragma omp for schedule(dynamic, 64)
-        for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(n); ++i) {
-            const Sums s = sumsAt(x[i], zoneShare);
-            const Real open = std::max(kLeastOpenSpace, 1 - s.wall);   // soil goes on behind walls
-            const Real eps = std::max(kLeastPorosity, 1 - s.solid / open);
-            const Real share = std::min(Real(1), s.share / open);
-            Real a = 0, b = 0, inertia = 1;
-            if (share > 0) {
-                const Real drag = clampedShare(share) / s.share;
-                Real dominant = 0;
-                for (std::size_t z = 0; z < zones_.size(); ++z) {
-                    a += drag * zoneShare[z] * zones_[z].resistance.linear;
-                    b += drag * zoneShare[z] * zones_[z].resistance.quadratic;
-                    if (zoneShare[z] > dominant) {
-                        dominant = zoneShare[z];
-                        inertia = zones_[z].model->inertiaCoefficient(eps);
-                    }
-                }
-            }
-            state.porosity[i] = eps;
-            state.share[i] = share;
-            state.linear[i] = a;
-            state.quadratic[i] = b;
-            state.mobility[i] = eps / inertia;
-            state.normal[i] = s.gradShare + s.share / open * s.gradWall;
-        }
+        for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(n); ++i)
+            setParticle(sums(x[i], -1, near, zoneShare), zoneShare, static_cast<std::size_t>(i), state);
     }
 }
 

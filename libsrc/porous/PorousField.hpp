@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Porosity and resistance at the water particles, from the soil particles around them.  [theory (4.10)-(4.14)]
+// Porosity and resistance at the water particles, from the soil particles around them.
+//                                                                          [theory (4.10)-(4.14)]
 #pragma once
 #include "boundaries/PointCloud.hpp"
 #include "kernels/Kernel.hpp"
@@ -16,46 +17,67 @@ namespace isph {
 struct SoilZone {
     std::string name;
     std::unique_ptr<PorousModel> model;
-    Real porosity = 0;        ///< of the intact soil
-    Resistance resistance;    ///< a, b of the intact soil
+    Real porosity = 0;       ///< of the intact soil
+    Resistance resistance;   ///< a, b of the intact soil
 };
 
 /// What the soil means to a water particle.
 template <int Dim>
 struct PorousState {
-    std::vector<Real> porosity;      ///< eps, 1 in clear water
-    std::vector<Real> share;         ///< phi = (1 - eps)/(1 - eps_soil), 0 in water, 1 in soil
-    std::vector<Real> linear;        ///< a [1/s]
-    std::vector<Real> quadratic;     ///< b [1/m]
-    std::vector<Real> mobility;      ///< k = eps/C_r(eps)
-    std::vector<Vec<Dim>> normal;    ///< grad phi, towards the soil [1/m]; its direction is used
+    std::vector<Real> porosity;     ///< eps, 1 in clear water
+    std::vector<Real> share;        ///< phi of the bed: 0 in water, 1 in soil
+    std::vector<Real> linear;       ///< a [1/s]
+    std::vector<Real> quadratic;    ///< b [1/m]
+    std::vector<Real> mobility;     ///< k = eps/C_r(eps)
+    std::vector<Vec<Dim>> normal;   ///< grad phi, towards the soil [1/m]; its direction is used
+    std::vector<Real> solidsDivergence;   ///< div q of released soil = d eps/dt [1/s]; empty without
+};
+
+/// Kernel sums over soil and walls at a point.
+template <int Dim>
+struct SoilSums {
+    Real solid = 0;             ///< volume of grains per volume, bed and released
+    Real share = 0;             ///< of the bed, in units of intact soil
+    Real open = 1;              ///< share of the kernel that no wall fills
+    Real divergence = 0;        ///< div q of released soil [1/s]
+    Vec<Dim> gradShare{}, gradSolid{};   ///< [1/m]
 };
 
 template <int Dim>
 class PorousField {
 public:
-    PorousField(std::vector<SoilZone> zones, const Kernel& kernel, const WallCloud<Dim>& walls, Real spacing);
+    PorousField(std::vector<SoilZone> zones, const Kernel& kernel, const WallCloud<Dim>& walls,
+                Real spacing);
 
     const std::vector<SoilZone>& zones() const { return zones_; }
 
     /// Bins the soil particles; again whenever they moved.
     void place(const Soil<Dim>& soil, const PeriodicBox<Dim>& box);
 
-    /// eps, phi, a, b, k and the normal at the points x.
+    /// eps, phi, a, b, k and the normal at the points x. Soil goes on behind walls: the sums are
+    /// divided by the share of the kernel that is not wall.
     void evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state) const;
 
+    /// The sums at one point, without the soil particle `except` (-1: with all).
+    SoilSums<Dim> at(const Vec<Dim>& x, Index except) const;
+
 private:
-    struct Sums;
-    Sums sumsAt(const Vec<Dim>& x, std::vector<Real>& zoneShare) const;
+    struct Near;
+    SoilSums<Dim> sums(const Vec<Dim>& x, Index except, Near& near, std::vector<Real>& zoneShare) const;
+    void gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points, const Vec<Dim>& x,
+                Near& near) const;
+    void setParticle(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare, std::size_t i,
+                     PorousState<Dim>& state) const;
 
     std::vector<SoilZone> zones_;
     const Kernel& kernel_;
-    const WallCloud<Dim>& walls_;
-    Real spacing_, h_, reach_, latticeSum_, sigma_;
+    Real h_, reach_, scaleW_, scaleGrad_, spacing_;
     CellGrid<Dim> soilGrid_, wallGrid_;
-    std::vector<Vec<Dim>> soilX_;
-    std::vector<Real> soilVolume_;
+    std::vector<Vec<Dim>> wallX_, soilX_, soilU_;
+    std::vector<Real> wallVolume_, soilVolume_;
     std::vector<Index> soilZone_;
+    std::vector<char> released_;
+    bool anyReleased_ = false;
 };
 
 extern template class PorousField<2>;

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ReadScene.hpp"
+
+#include "SceneFiles.hpp"
+#include "case/CaseSchemas.hpp"
+#include "output/TimeFolders.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isph {
+
+namespace {
+
+Dictionary readOptional(const std::filesystem::path& file)
+{
+    return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary::parse("", file.string());
+}
+
+template <int Dim>
+Vec<Dim> fromVector3(const Vector3& a)
+{
+    Vec<Dim> r;
+    for (int d = 0; d < Dim; ++d) r[d] = a[static_cast<std::size_t>(d)];
+    return r;
+}
+
+template <int Dim>
+PeriodicBox<Dim> readBox(const CaseFiles& files)
+{
+    const Dictionary& domain = files.particles.subDict("domain");
+    const auto periodic = readPeriodic(files.boundaries, Dim);
+    PeriodicBox<Dim> box;
+    box.min = fromVector3<Dim>(domainKeys().get<Vector3>(domain, "min"));
+    box.max = fromVector3<Dim>(domainKeys().get<Vector3>(domain, "max"));
+    for (int d = 0; d < Dim; ++d) box.periodic[d] = periodic[static_cast<std::size_t>(d)];
+    return box;
+}
+
+/// Extent along g and largest speed of the water at hand, and the properties of the dictionaries.
+template <int Dim>
+WaterProperties waterProperties(const CaseFiles& files, const Water<Dim>& water)
+{
+    WaterProperties properties;
+    properties.spacing = particlesKeys().get<Real>(files.particles, "spacing");
+    gravityKeys().check(files.gravity);
+    transportKeys().check(files.transport);
+    properties.density = transportKeys().get<Real>(files.transport, "rho");
+    properties.viscosity = transportKeys().get<Real>(files.transport, "nu");
+    const auto g = gravityKeys().get<Vector3>(files.gravity, "value");
+    const auto body = gravityKeys().get<Vector3>(files.gravity, "bodyForce");
+    for (std::size_t d = 0; d < 3; ++d) properties.force[d] = g[d] + body[d];
+    const Vec<Dim> down = unit(fromVector3<Dim>(properties.force));
+    Real low = 0, high = 0;
+    for (std::size_t i = 0; i < water.size(); ++i) {
+        const Real z = -dot(water.x[i], down);
+        if (i == 0 || z < low) low = z;
+        if (i == 0 || z > high) high = z;
+        properties.speed = std::max(properties.speed, norm(water.u[i]));
+    }
+    properties.depth = high - low + properties.spacing;
+    return properties;
+}
+
+/// Depth at the start of the case, also when the run goes on from a later time.
+template <int Dim>
+WaterProperties propertiesAtStart(const CaseFiles& files, const TimeFolder& start, const Water<Dim>& now)
+{
+    const std::vector<TimeFolder> folders = timeFolders(files.caseDir);
+    if (start.value == 0 || folders.empty() || folders.front().value != 0) return waterProperties(files, now);
+    Scene<Dim> first;
+    takeParticles(readTimeFolder(folders.front()), folders.front().path, first);
+    return waterProperties(files, first.water);
+}
+
+/// Zones in the order in which the soil particles number them.
+template <int Dim>
+void readSoil(const CaseFiles& files, Scene<Dim>& scene)
+{
+    if (scene.soil.size() == 0) return;
+    std::vector<SoilZone> zones;
+    for (const std::string& name : scene.soil.names) {
+        if (!files.porousZones.found(name))
+            files.porousZones.fail(name, "The soil zone " + name + " has no entry in constant/porousZones.");
+        SoilZone zone;
+        zone.name = name;
+        zone.model = PorousModel::select(files.porousZones.subDict(name));
+        zone.porosity = zone.model->porosity();
+        zone.resistance = zone.model->resistance(zone.porosity, scene.scheme.viscosity);
+        zones.push_back(std::move(zone));
+    }
+    scene.porous = std::make_unique<PorousField<Dim>>(std::move(zones), *scene.kernel, scene.wallCloud,
+                                                      scene.scheme.spacing);
+    scene.porous->place(scene.soil, scene.box);
+}
+
+template <int Dim>
+Real leastPorosity(const CaseFiles& files, const Soil<Dim>& soil)
+{
+    Real least = 1;
+    for (const std::string& name : soil.names)
+        if (files.porousZones.found(name))
+            least = std::min(least, PorousModel::select(files.porousZones.subDict(name))->porosity());
+    return least;
+}
+
+/// Walls that do not slip, as flags of the wall cloud; empty where all slip.
+template <int Dim>
+std::vector<char> readNoSlip(const CaseFiles& files, const Scene<Dim>& scene)
+{
+    if (!files.boundaries.found("walls")) return {};
+    const Dictionary& conditions = files.boundaries.subDict("walls");
+    std::vector<char> noSlip(scene.walls.names.size(), 0);
+    bool any = false;
+    for (const std::string& name : conditions.keywords()) {
+        const auto it = std::find(scene.walls.names.begin(), scene.walls.names.end(), name);
+        if (it == scene.walls.names.end())
+            conditions.fail(name, "There is no wall " + name + ". Walls of this case:\n" + listOf(scene.walls.names));
+        wallConditionKeys().check(conditions.subDict(name));
+        if (wallConditionKeys().get<std::string>(conditions.subDict(name), "condition") == "noSlip")
+            noSlip[static_cast<std::size_t>(it - scene.walls.names.begin())] = 1, any = true;
+    }
+    if (!any) return {};
+    std::vector<char> flags(scene.wallCloud.size());
+    for (std::size_t k = 0; k < flags.size(); ++k)
+        flags[k] = noSlip[static_cast<std::size_t>(scene.wallCloud.wall[k])];
+    return flags;
+}
+
+}  // namespace
+
+CaseFiles::CaseFiles(const std::filesystem::path& dir) : caseDir(dir)
+{
+    const auto system = dir / "system", constant = dir / "constant";
+    particles = Dictionary::read(system / "particlesDict");
+    particlesKeys().check(particles);
+    gravity = Dictionary::read(constant / "g");
+    schemes = Dictionary::read(system / "isphSchemes");
+    checkSchemes(schemes);
+    solution = Dictionary::read(system / "isphSolution");
+    solutionKeys().check(solution);
+    boundaries = readOptional(system / "boundaryDict");
+    boundaryKeys().check(boundaries);
+    transport = readOptional(constant / "transportProperties");
+    porousZones = readOptional(constant / "porousZones");
+    turbulence = readOptional(constant / "turbulenceProperties");
+    hasErosion = std::filesystem::exists(constant / "erosionProperties");
+    erosion = readOptional(constant / "erosionProperties");
+}
+
+int CaseFiles::dimension() const { return particlesKeys().get<int>(particles, "dimension"); }
+
+template <int Dim>
+Scene<Dim> readScene(const CaseFiles& files, const TimeFolder& start)
+{
+    Scene<Dim> scene;
+    takeParticles(readTimeFolder(start), start.path, scene);
+    if (scene.water.size() == 0) throw FatalIOError("There is no water.", (start.path / "water.vtp").string(), 0);
+    scene.scheme = readScheme<Dim>(files.schemes, propertiesAtStart(files, start, scene.water));
+    Dictionary choice = files.schemes;
+    if (!choice.found("kernel")) choice.set("kernel", "wendlandC2");
+    scene.kernel = Kernel::select(choice);
+    scene.box = readBox<Dim>(files);
+    const Real reach = scene.kernel->supportRadius() * scene.scheme.h0
+                     / std::pow(leastPorosity(files, scene.soil), Real(1) / Dim);
+    scene.wallCloud = WallCloud<Dim>(scene.walls, scene.box, reach + scene.scheme.spacing);
+    scene.noSlip = readNoSlip(files, scene);
+    readSoil(files, scene);
+    scene.solver = PressureSolver::select(files.solution.subDict("pressure"));
+    if (files.turbulence.found("turbulenceModel")) {
+        scene.turbulence = TurbulenceModel::select(files.turbulence);
+        if (!scene.turbulence->active()) scene.turbulence.reset();
+    }
+    return scene;
+}
+
+template Scene<2> readScene(const CaseFiles&, const TimeFolder&);
+template Scene<3> readScene(const CaseFiles&, const TimeFolder&);
+
+}  // namespace isph

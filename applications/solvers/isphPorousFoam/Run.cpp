@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The time loop.
+#include "Run.hpp"
+
+#include "FlowViews.hpp"
+#include "RunLog.hpp"
+#include "SceneFiles.hpp"
+#include "case/Time.hpp"
+#include "core/Log.hpp"
+#include "functionObjects/FunctionObjectList.hpp"
+#include "integrator/DragImplicitStep.hpp"
+#include "integrator/TimeStep.hpp"
+#include "output/TimeFolders.hpp"
+
+namespace isph {
+
+namespace {
+
+template <int Dim>
+std::unique_ptr<ProjectionStep<Dim>> makeStep(const CaseFiles&, Scene<Dim>& scene, Timers& timers)
+{
+    return std::make_unique<DragImplicitStep<Dim>>(scene, timers);
+}
+
+/// Particles in the order of cells, as neighbours in space are to be neighbours in memory. Done where
+/// the state is written, so that a restart has the same order.
+template <int Dim>
+void sortParticles(Scene<Dim>& scene)
+{
+    CellGrid<Dim> grid;
+    grid.build(scene.water.x, scene.kernel->supportRadius() * scene.scheme.h0);
+    scene.water.reorder(grid.order());
+}
+
+template <int Dim>
+class Run {
+public:
+    Run(const CaseFiles& files, const Dictionary& controlDict, const RunOptions& options)
+        : start_(startFolder(controlDict, files.caseDir)), scene_(readScene<Dim>(files, start_)),
+          time_(controlDict, files.caseDir, readTimeState(start_)), step_(makeStep(files, scene_, timers_)),
+          writer_(files.caseDir)
+    {
+        if (time_.index() == 0) sortParticles(scene_);
+        if (options.functionObjects)
+            functions_ = FunctionObjectList(controlDict, {files.caseDir, time_.name(), time_.instant()});
+        functions_.meet(time_);
+        logScene(files, scene_);
+    }
+
+    int loop()
+    {
+        const double wallStart = wallSeconds();
+        const int firstIndex = time_.index();
+        info("Starting time loop\n");
+        step_->look();
+        measure();
+        while (time_.run()) {
+            advance();
+            if (time_.writeTime()) write();
+            measure();
+        }
+        const Real particleSteps = Real(time_.index() - firstIndex) * static_cast<Real>(scene_.water.size());
+        logTimings(timers_, particleSteps, wallSeconds() - wallStart);
+        info("End\n");
+        return time_.exitCode();
+    }
+
+private:
+    void advance()
+    {
+        const Real dtOld = time_.index() > 0 ? time_.deltaT() : 0;
+        const CourantNumber perTime = courantRate(scene_.scheme, scene_.water, step_->fields().soil.porosity);
+        if (time_.adjustTimeStep())
+            time_.setDeltaT(stepSize(scene_.scheme, time_.maxCo(), time_.maxDeltaT(), time_.controlDeltaT(), dtOld,
+                                     perTime.max, step_->fields().eddyViscosity));
+        time_.advance();
+        logStepStart(time_, perTime.mean * time_.deltaT(), perTime.max * time_.deltaT());
+        const StepReport report = step_->advance(time_.deltaT(), dtOld);
+        requireFinite(scene_.water, time_.value(), time_.deltaT());
+        log_.write(time_, report);
+    }
+
+    void write()
+    {
+        const auto timer = timers_.scope("output");
+        sortParticles(scene_);
+        scene_.solver->forget();
+        step_->look();
+        const ParticleFile water = waterFile(scene_, step_->fields()), walls = wallFile(scene_),
+                           soil = soilFile(scene_);
+        ParticleParts parts{{"water", water}};
+        if (scene_.walls.size() > 0) parts.emplace("walls", walls);
+        if (scene_.soil.size() > 0) parts.emplace("soil", soil);
+        writer_.write(time_.state(), parts, time_.purgeWrite());
+    }
+
+    void measure()
+    {
+        if (!functions_.due(time_.instant())) return;
+        const auto timer = timers_.scope("function objects");
+        functions_.execute(flowView(scene_, step_->fields(), time_.value()));
+    }
+
+    Timers timers_;
+    TimeFolder start_;
+    Scene<Dim> scene_;
+    Time time_;
+    std::unique_ptr<ProjectionStep<Dim>> step_;
+    TimeFolderWriter writer_;
+    FunctionObjectList functions_;
+    StepLog log_;
+};
+
+}  // namespace
+
+template <int Dim>
+int runCase(const CaseFiles& files, const Dictionary& controlDict, const RunOptions& options)
+{
+    Run<Dim> run(files, controlDict, options);
+    return options.dryRun ? 0 : run.loop();
+}
+
+template int runCase<2>(const CaseFiles&, const Dictionary&, const RunOptions&);
+template int runCase<3>(const CaseFiles&, const Dictionary&, const RunOptions&);
+
+}  // namespace isph

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "RunLog.hpp"
+
+#include "core/Log.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace isph {
+
+namespace {
+
+constexpr int kMostNotConverged = 20;   // steps in a row
+
+const char* describe(Stabilisation type)
+{
+    switch (type) {
+        case Stabilisation::relaxedDensity: return "relaxedDensity";
+        case Stabilisation::constantAlpha: return "constantAlpha";
+        case Stabilisation::none: break;
+    }
+    return "none";
+}
+
+struct Parts {
+    std::vector<std::string> active, leftOut;
+    void add(bool used, const std::string& name, const std::string& why)
+    {
+        (used ? active : leftOut).push_back(used || why.empty() ? name : name + " (" + why + ")");
+    }
+};
+
+}  // namespace
+
+template <int Dim>
+void logScene(const CaseFiles& files, const Scene<Dim>& scene)
+{
+    const Scheme<Dim>& scheme = scene.scheme;
+    info("Particles: {} water, {} wall, {} soil; d0 = {:g} m, {} dimensions", scene.water.size(),
+         scene.walls.size(), scene.soil.size(), scheme.spacing, Dim);
+    info("Kernel: {}, h/d0 = {:g}", schemeKeys().get<std::string>(files.schemes, "kernel"),
+         scheme.h0 / scheme.spacing);
+    info("Water: rho = {:g} kg/m3, nu = {:g} m2/s, g + body force = ({:g}) m/s2", scheme.density,
+         scheme.viscosity, fmt::join(scheme.force.c, " "));
+    info("Stabilisation: {}, relaxation time {:g} s", describe(scheme.stabilisation), scheme.relaxationTime);
+    info("Pressure solver: {}", files.solution.subDict("pressure").template get<std::string>("solver"));
+    if (scene.porous) {
+        info("Soil:");
+        for (const SoilZone& zone : scene.porous->zones())
+            info("{}", describe(zone.name, *zone.model, scheme.viscosity));
+    }
+    if (scene.turbulence) info("Turbulence: {}", scene.turbulence->formula());
+
+    Parts parts;
+    const bool hasZones = !files.porousZones.keywords().empty();
+    parts.add(true, "water", "");
+    parts.add(scene.walls.size() > 0, "walls", "no walls.vtp");
+    parts.add(!scene.noSlip.empty(), "wall friction", "all walls slip");
+    parts.add(scene.box.any(), "periodic images", "no periodic direction");
+    parts.add(scene.porous != nullptr, "porous media", hasZones ? "no soil particles" : "no constant/porousZones");
+    parts.add(scene.turbulence != nullptr, "turbulence", "laminar");
+    parts.add(files.hasErosion, "erosion", "no constant/erosionProperties");
+    parts.add(scheme.stabilisation != Stabilisation::none, "density stabilisation", "type none");
+    parts.add(scheme.shifting > 0, "shifting", "coefficient 0");
+    parts.add(scheme.dissipation > 0, "dissipation", "coefficient 0");
+    parts.add(Dim == 3, "z direction", "2-D");
+    info("Active: {}", fmt::join(parts.active, ", "));
+    info("Left out: {}\n", parts.leftOut.empty() ? "nothing" : fmt::format("{}", fmt::join(parts.leftOut, ", ")));
+}
+
+void logStepStart(const Time& time, Real meanCo, Real maxCo)
+{
+    info("Courant Number mean: {:.6g} max: {:.6g}", meanCo, maxCo);
+    info("deltaT = {:.8g}", time.deltaT());
+    info("Time = {}s\n", fmt::format("{:.10g}", time.value()));
+}
+
+StepLog::StepLog() : wallStart_(wallSeconds()) {}
+
+void StepLog::write(const Time& time, const StepReport& report)
+{
+    const SolverReport& p = report.pressure;
+    info("{}:  Solving for p, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}", p.solver,
+         p.initialResidual, p.finalResidual, p.iterations);
+    cumulative_ += report.continuity;
+    info("time step continuity errors : sum local = {:.6g}, global = {:.6g}, cumulative = {:.6g}",
+         report.continuity, report.densityError, cumulative_);
+    info("unknowns {}  surface particles {}  put back by walls {}", report.unknowns, report.surfaceParticles,
+         report.putBack);
+    if (p.converged) {
+        notConverged_ = 0;
+    } else {
+        ++notConverged_;
+        warning("the pressure did not converge at time {:g} s: residual {:g} after {} iterations ({} of {} "
+                "steps in a row)", time.value(), p.finalResidual, p.iterations, notConverged_, kMostNotConverged);
+        if (notConverged_ >= kMostNotConverged)
+            throw FatalError(fmt::format("The pressure did not converge in {} steps in a row, residual {:g} at time {:g} s.\n"
+                                         "Raise maxIter or choose another solver in system/isphSolution.",
+                                         kMostNotConverged, p.finalResidual, time.value()));
+    }
+    info("Progress = {:.2f} %  time left = {:.0f} s", time.progress(), time.secondsLeft());
+    info("ExecutionTime = {:.2f} s  ClockTime = {:.0f} s\n", cpuSeconds(), wallSeconds() - wallStart_);
+}
+
+void logTimings(const Timers& timers, Real particleSteps, double seconds)
+{
+    info("Time of the parts of the run:");
+    std::vector<Timers::Part> parts = timers.parts();
+    std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
+    for (const auto& part : parts)
+        info("    {:<26} {:>10.2f} s {:>6.1f} %", part.name, part.seconds, 100 * part.seconds / seconds);
+    info("    {:<26} {:>10.2f} s", "run", seconds);
+    info("Particle-steps per second: {:.4g}\n", particleSteps / seconds);
+}
+
+template void logScene(const CaseFiles&, const Scene<2>&);
+template void logScene(const CaseFiles&, const Scene<3>&);
+
+}  // namespace isph

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run tells its user, in OpenFOAM's words where tools parse them.
+#pragma once
+#include "ReadScene.hpp"
+#include "case/Time.hpp"
+#include "core/Timers.hpp"
+#include "integrator/ProjectionStep.hpp"
+
+namespace isph {
+
+/// Particles, scheme, soil zones; which parts are active, which are left out and why.
+template <int Dim>
+void logScene(const CaseFiles& files, const Scene<Dim>& scene);
+
+/// "Courant Number mean: a max: b", "deltaT = ...", "Time = 0.05s" at the beginning of a step.
+void logStepStart(const Time& time, Real meanCo, Real maxCo);
+
+/// Solver, continuity and volume errors, progress, ExecutionTime at its end. Warns of a pressure that
+/// did not converge; throws FatalError at the twentieth in a row.
+class StepLog {
+public:
+    StepLog();
+    void write(const Time& time, const StepReport& report);
+
+private:
+    double wallStart_;
+    Real cumulative_ = 0;
+    int notConverged_ = 0;
+};
+
+/// Time per part of the step and particle-steps per second.
+void logTimings(const Timers& timers, Real particleSteps, double seconds);
+
+}  // namespace isph
