@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace isph {
@@ -50,7 +51,6 @@ public:
     struct Sums {
         Real water = 0;  ///< share of water
         Real below = 0;  ///< share of wall that lies below the height
-        Real wall = 0;   ///< share of wall
 
         /// What a still surface at this height would leave: 1/2 exactly on it, also beside walls.
         Real filled() const { return water + below; }
@@ -69,19 +69,18 @@ public:
             const Real above =
                 dot(samples.offset[k], up_) / spacing;  // of x above the wall particle
             sums.below += samples.weight[k] * std::clamp(kHalf + above, Real(0), Real(1));
-            sums.wall += samples.weight[k];
         }
         return sums;
     }
 
-    /// The height between low and high where `share` of the sums passes through 1/2.
+    /// The height between low and high where `share` of the sums passes through `mark`.
     template <class Share>
-    Real crossing(Real low, Real high, Share&& share) const
+    Real crossing(Real low, Real high, Share&& share, Real mark) const
     {
-        const bool filledAtLow = share(at(low)) >= kHalf;
+        const bool filledAtLow = share(at(low)) >= mark;
         for (int k = 0; k < 40; ++k) {  // a quarter spacing halved until round-off
             const Real middle = 0.5 * (low + high);
-            ((share(at(middle)) >= kHalf) == filledAtLow ? low : high) = middle;
+            ((share(at(middle)) >= mark) == filledAtLow ? low : high) = middle;
         }
         return 0.5 * (low + high);
     }
@@ -150,11 +149,11 @@ public:
                        "without gravity there is no upward direction: give direction (x y z)");
         const KernelField field(flow);
         std::vector<Real> levels(points_.size());
-        const auto [low, high] = extent(field, up);
-        parallelForDynamic(points_.size(), [&, lowest = low, highest = high](Index p) {
+        const Range range = extent(field, up);
+        parallelForDynamic(points_.size(), [&](Index p) {
             const Vec<3> point = pointIn(flow, points_[p]);
-            levels[p] = level(Vertical(field, point - dot(point, up) * up, up), lowest, highest,
-                              flow.spacing);
+            levels[p] =
+                level(Vertical(field, point - dot(point, up) * up, up), range, flow.spacing);
         });
         return levels;
     }
@@ -181,47 +180,59 @@ private:
         Real low, high;
     };
 
-    /// Heights that any surface or floor lies between.
+    /// From the lowest particle to the highest one of the water.
     static Range extent(const KernelField& field, const Vec<3>& up)
     {
-        Range range{0, 0};
-        bool first = true;
+        const Real infinity = std::numeric_limits<Real>::infinity();
+        Range range{infinity, -infinity};
+        for (const Vec<3>& x : field.water().position())
+            range.high = std::max(range.high, dot(x, up));
         for (const KernelCloud* cloud : {&field.water(), &field.walls()})
-            for (const Vec<3>& x : cloud->position()) {
-                const Real z = dot(x, up);
-                range.low = first ? z : std::min(range.low, z);
-                range.high = first || z > range.high ? z : range.high;
-                first = false;
-            }
-        return range;
+            for (const Vec<3>& x : cloud->position()) range.low = std::min(range.low, dot(x, up));
+        range.high = std::max(range.high, range.low);
+        return std::isfinite(range.low) ? range : Range{0, 0};
     }
 
-    Real level(const Vertical& vertical, Real lowest, Real highest, Real spacing) const
+    /// Scans downwards and ends as soon as a layer is known to count.
+    Real level(const Vertical& vertical, const Range& range, Real spacing) const
     {
         const Real step = spacing / kScanSteps;
-        const int n = static_cast<int>(std::ceil((highest - lowest) / step)) +
-                      2 * static_cast<int>(kScanSteps);
-        const auto height = [&](int k) { return lowest - spacing + k * step; };
-        std::vector<Vertical::Sums> sums(n + 1);
-        for (int k = 0; k <= n; ++k) sums[k] = vertical.at(height(k));
         const auto filled = [](const Vertical::Sums& s) { return s.filled(); };
-        for (int top = n - 1; top >= 0; --top) {
-            if (sums[top].filled() < kHalf || sums[top + 1].filled() >= kHalf) continue;
-            int bottom = top;
-            while (bottom > 0 && sums[bottom - 1].filled() >= kHalf) --bottom;
-            const Real z = vertical.crossing(height(top), height(top + 1), filled);
-            const bool wet = vertical.at(z).water >= kLeastWaterShare;
-            const bool rests = sums[bottom].below >= sums[bottom].water;
-            const Real depth = z - height(bottom) + 0.5 * step;
-            if (wet && (rests || depth >= minimumDepth_ * spacing)) return z;
-            top = bottom;
+        Real z = range.high + 2 * spacing;
+        while (z > range.low) {
+            while (z > range.low && filled(vertical.at(z)) < kHalf) z -= step;
+            if (z <= range.low) break;
+            const Real surface = vertical.crossing(z, z + step, filled, kHalf);
+            const bool wet = vertical.at(surface).water >= kLeastWaterShare;
+            bool rests = false;
+            for (; z > range.low - spacing; z -= step) {
+                const Vertical::Sums sums = vertical.at(z);
+                if (filled(sums) < kHalf) break;
+                rests = sums.below >= sums.water;
+                if (wet && (rests || surface - z >= minimumDepth_ * spacing)) return surface;
+            }
         }
-        if (dryLevel_) return *dryLevel_;
-        for (int k = 0; k < n; ++k)
-            if (sums[k].wall >= kHalf && sums[k + 1].wall < kHalf)
-                return vertical.crossing(height(k), height(k + 1),
-                                         [](const Vertical::Sums& s) { return s.wall; });
-        return lowest;
+        return dryLevel_ ? *dryLevel_ : floorOf(vertical, range, spacing);
+    }
+
+    /// The lowest height at which wall ends; the lowest particle's where there is none. Inside a
+    /// wall the share below is 1/2 throughout, so the height at which it begins to fall is
+    /// extrapolated from two above, where it falls linearly also in a corner.
+    static Real floorOf(const Vertical& vertical, const Range& range, Real spacing)
+    {
+        constexpr Real inside = 0.45, outside = 0.4;  // lattice sums ripple by 0.02
+        const Real step = spacing / kScanSteps;
+        const auto below = [](const Vertical::Sums& s) { return s.below; };
+        bool inWall = false;
+        for (Real z = range.low; z <= range.high + 2 * spacing; z += step) {
+            const Real share = below(vertical.at(z));
+            if (inWall && share < outside) {
+                const Real near = vertical.crossing(z - 2 * step, z, below, inside);
+                return 2 * near - vertical.crossing(z - 2 * step, z, below, outside);
+            }
+            inWall = inWall || share >= inside;
+        }
+        return range.low;
     }
 
     Dictionary dict_;
