@@ -208,7 +208,7 @@ void DictionaryParser::parseValue(std::vector<Token>& tokens, const Lexeme& key)
             fail(fmt::format("The '{}' opened in line {} (entry '{}') is not closed",
                              opened.back().text, opened.back().line, key.text),
                  opened.back().line);
-        if (opened.empty() && lexeme.is(';')) return;
+        if (opened.empty() && lexeme.is(';')) return checkBrackets(tokens, key);
         if (opened.empty() &&
             (ended || lexeme.is('}') ||
              (lexeme.is('{') && !tokens.empty() && tokens.back().kind != Token::Kind::number)))
@@ -225,6 +225,24 @@ void DictionaryParser::parseValue(std::vector<Token>& tokens, const Lexeme& key)
         }
         appendValue(tokens, lexeme);
     }
+}
+
+/// What #include brought into a value may have brackets of its own.
+void DictionaryParser::checkBrackets(const std::vector<Token>& tokens, const Lexeme& key) const
+{
+    std::string awaited;
+    for (const Token& token : tokens) {
+        if (token.kind != Token::Kind::punctuation) continue;
+        const char mark = token.text[0];
+        if (mark == '(' || mark == '[' || mark == '{') awaited += closing(mark);
+        if (mark != ')' && mark != ']' && mark != '}') continue;
+        if (awaited.empty() || awaited.back() != mark)
+            throw FatalIOError(fmt::format("Unexpected '{}' in entry '{}'", mark, key.text),
+                               token.at.file, token.at.line);
+        awaited.pop_back();
+    }
+    if (!awaited.empty())
+        fail(fmt::format("A '{}' is missing in entry '{}'", awaited.back(), key.text), key.line);
 }
 
 void DictionaryParser::appendValue(std::vector<Token>& tokens, const Lexeme& lexeme)

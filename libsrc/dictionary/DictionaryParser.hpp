@@ -51,6 +51,7 @@ private:
     void parseSubDict(DictionaryEntry entry, const Lexeme& brace);
     void closeBrace(const Lexeme& brace);
     void parseValue(std::vector<Token>& tokens, const Lexeme& key);
+    void checkBrackets(const std::vector<Token>& tokens, const Lexeme& key) const;
     void appendValue(std::vector<Token>& tokens, const Lexeme& lexeme);
     const DictionaryEntry* existing(const DictionaryEntry& entry);
     bool admits(const DictionaryEntry& entry);

@@ -216,7 +216,14 @@ void DictionaryParser::calculate(std::vector<Token>& tokens, const Lexeme& name)
 void DictionaryParser::negate(std::vector<Token>& tokens, const Lexeme& name)
 {
     const std::size_t first = tokens.size();
-    appendValue(tokens, lexer_.next());
+    int depth = 0;
+    do {
+        const Lexeme lexeme = lexer_.next();
+        if (lexeme.kind == Lexeme::Kind::end)
+            fail("#neg is followed by a list that does not end", name.line);
+        depth += (lexeme.is('(') ? 1 : 0) - (lexeme.is(')') ? 1 : 0);
+        appendValue(tokens, lexeme);
+    } while (depth > 0);
     bool numbers = false;
     for (std::size_t k = first; k < tokens.size(); ++k) {
         if (tokens[k].kind == Token::Kind::number) {
@@ -225,7 +232,7 @@ void DictionaryParser::negate(std::vector<Token>& tokens, const Lexeme& name)
             const std::string& text = tokens[k].text;
             tokens[k].text =
                 text[0] == '-' ? text.substr(1) : "-" + text.substr(text[0] == '+' ? 1 : 0);
-        } else if (tokens[k].kind != Token::Kind::punctuation) {
+        } else if (tokens[k].text != "(" && tokens[k].text != ")") {
             fail(fmt::format("#neg is followed by '{}': expected numbers", tokens[k].text),
                  name.line);
         }

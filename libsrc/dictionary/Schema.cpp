@@ -54,7 +54,7 @@ void checkList(const Dictionary& dict, const Key& key)
     checkDimensions(dict, key.name, key.dimensions);
     const std::vector<Token>& tokens = dict.tokens(key.name);
     const bool opens = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
-        return t.kind == Token::Kind::punctuation && (t.text == "(" || t.text == "{");
+        return t.kind == Token::Kind::punctuation && (t.text == "(" || t.text == "{" || t.text == "[");
     });
     if (!opens)
         dict.fail(key.name,

@@ -70,14 +70,18 @@ TEST(Calc, WhatMuParserDoesNotUnderstandIsRefusedWithTheLine)
 TEST(Neg, NegatesNumbersAndVectors)
 {
     const auto dict = Dictionary::parse(
-        "a 3; v (0 1 -2); p #neg $a; q #neg $v; r (0 #neg $a 0); s #neg -4; t #neg +5;");
+        "a 3; v (0 1 -2); p #neg $a; q #neg $v; r (0 #neg $a 0); s #neg -4; t #neg +5; u #neg (1 2 "
+        "3);");
     EXPECT_EQ(dict.get<Real>("p"), -3.0);
     EXPECT_EQ(dict.get<Vector3>("q"), (Vector3{-0.0, -1, 2}));
     EXPECT_EQ(dict.get<Vector3>("r")[1], -3.0);
     EXPECT_EQ(dict.get<Real>("s"), 4.0);
     EXPECT_EQ(dict.get<Real>("t"), -5.0);
+    EXPECT_EQ(dict.get<Vector3>("u"), (Vector3{-1, -2, -3}));
     EXPECT_EQ(Dictionary::parse(dict.toString()).get<Real>("p"), -3.0) << "the text is negated too";
     EXPECT_TRUE(says(failureOf([] { Dictionary::parse("p #neg word;"); }), "expected numbers"));
+    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("p #neg (1 2;"); }), "#neg"));
+    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("p #neg (1 ] 2);"); }), "expected numbers"));
 }
 
 TEST(If, ReadsTheBranchThatHolds)
@@ -186,6 +190,21 @@ TEST(Include, ReadsFilesBesideThisOneAndKeepsTheirLines)
     EXPECT_EQ(dict.subDict("s").location("y").line, 3);
     EXPECT_EQ(dict.subDict("s").location("y").file, (folder.path() / "system/parts/a").string());
     EXPECT_EQ(dict.get<std::vector<Vector3>>("list")[1], (Vector3{1, 7, 0}));
+}
+
+TEST(Include, BracketsLeftOpenInAnIncludedValueAreAnError)
+{
+    const TempFolder folder;
+    folder.write("open", "\n(1 2");
+    folder.write("closed", "\n1 2)");
+    const auto open =
+        failureOf([&] { Dictionary::read(folder.write("a", "x #include \"open\"\n;")); });
+    EXPECT_TRUE(says(open, "A ')' is missing in entry 'x'"));
+    const auto closed =
+        failureOf([&] { Dictionary::read(folder.write("b", "x #include \"closed\"\n;")); });
+    EXPECT_TRUE(says(closed, "Unexpected ')' in entry 'x'"));
+    EXPECT_EQ(closed.file, (folder.path() / "closed").string());
+    EXPECT_EQ(closed.line, 2);
 }
 
 TEST(Include, FilesMayBeNamedByVariables)
