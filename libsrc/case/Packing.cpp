@@ -12,7 +12,9 @@ namespace isph {
 namespace {
 
 constexpr Real smoothing = 1.5;      // h over the local spacing
-constexpr Real rate = 0.15;          // c; lattices are stable up to about 0.3
+constexpr Real rate = 0.15;          // c
+constexpr Real evenness = 0.3;       // e: orders the particles
+constexpr Real stiffness = 4;        // K: evens out the kernel sum where the spacing varies
 constexpr Real longestStep = 0.1;    // in local spacings
 constexpr Real settled = 3e-3;       // in local spacings
 constexpr int mostSweeps = 200;
@@ -24,7 +26,7 @@ class Packing {
 public:
     Packing(const PackingTask& task, std::vector<Point>& x)
         : task_(task), g_(task.geometry), d0_(g_.spacing), kernel_{g_.dimension}, x_(x), spacing_(x.size(), d0_),
-          volume_(x.size(), g_.cellVolume())
+          volume_(x.size(), g_.cellVolume()), excess_(x.size(), 0), latticeSum_(latticeSum())
     {
         for (std::size_t i = 0; i < x_.size(); ++i)
             if (task_.mobility[i] > 0) mobile_.push_back(i);
@@ -46,6 +48,18 @@ public:
     }
 
 private:
+    /// sum_j V_j W_ij in a lattice.
+    Real latticeSum() const
+    {
+        const int m = static_cast<int>(2 * smoothing), k0 = g_.dimension == 3 ? m : 0;
+        Real sum = 0;
+        for (int k = -k0; k <= k0; ++k)
+            for (int j = -m; j <= m; ++j)
+                for (int i = -m; i <= m; ++i)
+                    sum += kernel_.w(std::sqrt(static_cast<Real>(i * i + j * j + k * k)), smoothing);
+        return sum;
+    }
+
     void updateSpacing()
     {
         parallelForDynamic(x_.size(), [&](Index i) {
@@ -121,24 +135,41 @@ private:
         });
     }
 
-    /// -h^2 sum_j V_j gradW_ij at the mobile particle m.
+    /// f(j or -1 for space outside, volume, vector to it, h_ij) for what is within the support of particle m.
+    template <class F>
+    void forEachNear(std::size_t m, F&& f) const
+    {
+        const std::size_t i = mobile_[m];
+        for (Index k : near_[m]) {
+            const Index j = images_->owner[k];
+            f(j, volume_[j], x_[j] + images_->shift[k] - x_[i], 0.5 * smoothing * (spacing_[i] + spacing_[j]));
+        }
+        for (Index k : nearOutside_[m]) f(-1, outsideVolume_[k], outside_[k] - x_[i], smoothing * spacing_[i]);
+    }
+
+    /// How much sum_j V_j W_ij exceeds that of a lattice.
+    Real excess(std::size_t m) const
+    {
+        const std::size_t i = mobile_[m];
+        Real sum = volume_[i] * kernel_.w(0, smoothing * spacing_[i]);
+        forEachNear(m, [&](Index, Real volume, const Point& r, Real h) {
+            const Real distance = norm(r);
+            if (distance < 2 * h) sum += volume * kernel_.w(distance, h);
+        });
+        return sum - latticeSum_;
+    }
+
+    /// -h^2 sum_j V_j (e + K (n_i + n_j)) gradW_ij at the mobile particle m.
     Point push(std::size_t m) const
     {
         const std::size_t i = mobile_[m];
         Point sum;
-        for (Index k : near_[m]) {
-            const Index j = images_->owner[k];
-            const Real h = 0.5 * smoothing * (spacing_[i] + spacing_[j]);
-            const Point r = x_[j] + images_->shift[k] - x_[i];
+        forEachNear(m, [&](Index j, Real volume, const Point& r, Real h) {
             const Real distance = norm(r);
-            if (distance < 2 * h) sum += volume_[j] * kernel_.slope(distance, h) * r;
-        }
-        const Real h = smoothing * spacing_[i];
-        for (Index k : nearOutside_[m]) {
-            const Point r = outside_[k] - x_[i];
-            const Real distance = norm(r);
-            if (distance < 2 * h) sum += outsideVolume_[k] * kernel_.slope(distance, h) * r;
-        }
+            if (distance >= 2 * h) return;
+            const Real excesses = excess_[i] + (j < 0 ? excess_[i] : excess_[j]);
+            sum += volume * (evenness + stiffness * excesses) * kernel_.slope(distance, h) * r;
+        });
         return sqr(smoothing * spacing_[i]) * sum;
     }
 
@@ -169,6 +200,7 @@ private:
     /// One sweep over all mobile particles at once; the largest step in local spacings.
     Real step()
     {
+        parallelForDynamic(mobile_.size(), [&](Index m) { excess_[mobile_[m]] = excess(m); });
         std::vector<Point> next(mobile_.size());
         parallelForDynamic(mobile_.size(), [&](Index m) {
             const std::size_t i = mobile_[m];
@@ -191,7 +223,8 @@ private:
     Real d0_;
     PackingKernel kernel_;
     std::vector<Point>& x_;
-    std::vector<Real> spacing_, volume_;
+    std::vector<Real> spacing_, volume_, excess_;
+    Real latticeSum_;
     std::vector<std::size_t> mobile_;
     std::vector<Point> outside_;
     std::vector<Real> outsideVolume_;
