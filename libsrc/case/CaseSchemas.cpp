@@ -51,7 +51,7 @@ Schema wallConditionKeys()
 
 Schema gravityKeys()
 {
-    return {Key::list("dimensions", "[0 1 -2 0 0 0 0]").mayBeAbsent(),
+    return {Key::list("dimensions", "[0 1 -2 0 0 0 0]").units(dims::acceleration).mayBeAbsent(),
             Key::vector("value", "acceleration of gravity [m/s2]").units(dims::acceleration),
             Key::vector("bodyForce", "uniform acceleration added to gravity [m/s2]")
                 .units(dims::acceleration).byDefault("(0 0 0)")};

@@ -16,6 +16,15 @@ Real supportFactor(Real lambda_i, Real lambda_j)
 {
     return 1 / std::max(kLeastSupport, (lambda_i + lambda_j) / (2 * Dim));
 }
+
+/// Points of the lattice within 2 h. A pair may take away this share of its velocity difference in a
+/// step and no more: the dissipation is explicit and must not overshoot where sprays meet.
+template <int Dim>
+Real neighboursOfLattice(const Scheme<Dim>& scheme)
+{
+    const Real q = 2 * scheme.h0 / scheme.spacing, pi = 3.141592653589793;
+    return Dim == 2 ? pi * sqr(q) : 4 * pi / 3 * cube(q);
+}
 }  // namespace
 
 template <int Dim, class Medium>
@@ -33,6 +42,7 @@ void predict(const Water<Dim>& water, const Medium& medium, const Scheme<Dim>& s
     const auto viscosity = [&](Index i) {
         return (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / medium.porosity(i);
     };
+    const Real most = 1 / (neighboursOfLattice(scheme) * weights.dtPrime());
     fields.v.resize(points.fluid);
     parallelForDynamic(points.water, [&](Index i) {
         Vec<Dim> rate;
@@ -47,7 +57,8 @@ void predict(const Water<Dim>& water, const Medium& medium, const Scheme<Dim>& s
             if (clear_i && medium.share(pair.j) < kSoilShare) {
                 const Real approach = dot(v_ij, pair.x_ij);   // (v_ij.e) r
                 const Real r2 = std::max(normSqr(pair.x_ij), 1e-12 * sqr(scheme.spacing));
-                rate -= (2 * VF * scheme.dissipation * std::abs(approach) * approach / r2) * pair.x_ij;
+                const Real pull = std::min(2 * VF * scheme.dissipation * std::abs(approach), most);
+                rate -= (pull * approach / r2) * pair.x_ij;
             }
         });
         if (!fields.noSlip.empty())

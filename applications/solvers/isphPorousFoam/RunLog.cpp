@@ -83,6 +83,7 @@ void StepLog::write(const Time& time, const StepReport& report)
     const SolverReport& p = report.pressure;
     info("{}:  Solving for p, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}", p.solver,
          p.initialResidual, p.finalResidual, p.iterations);
+    if (!p.remark.empty()) info("{}: {}", p.solver, p.remark);
     cumulative_ += report.continuity;
     info("time step continuity errors : sum local = {:.6g}, global = {:.6g}, cumulative = {:.6g}",
          report.continuity, report.densityError, cumulative_);
