@@ -27,6 +27,9 @@ int layerCount(Real spacing, Real thickness);
 /// left, within the domain in periodic directions and within `margin` of it in others.
 std::vector<Edge> wetEdges(const CaseGeometry& geometry, Real margin);
 
+/// Points of the surfaces that water can touch, about `step` apart (2-D) or d0/4 (3-D).
+std::vector<Point> wetPoints(const CaseGeometry& geometry, Real step);
+
 namespace detail {
 WallParticles layWalls2(const CaseGeometry& geometry, Real thickness);
 WallParticles layWalls3(const CaseGeometry& geometry, Real thickness);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case/WallLayers.hpp"
+#include "case/WetSurface.hpp"
 
 #include <algorithm>
 
@@ -47,6 +48,22 @@ std::vector<Edge> wetEdges(const CaseGeometry& g, Real margin)
     for (const Edge& e : bounding)
         if (e.tag >= 0 && limits.contains(lifted(0.5 * (e.a + e.b)), 1e-7 * g.spacing)) wet.push_back(e);
     return wet;
+}
+
+std::vector<Point> wetPoints(const CaseGeometry& g, Real step)
+{
+    std::vector<Point> points;
+    if (g.dimension == 3) {
+        const WetSurface surface(g, 2 * g.spacing);
+        for (std::size_t i = 0; i < surface.samples().size(); ++i) points.push_back(surface.samples()[i]);
+        return points;
+    }
+    Real left = 0;   // to the next point; edges may be shorter than the step
+    for (const Edge& e : wetEdges(g, 0)) {
+        for (; left < e.length(); left += step) points.push_back(lifted(e.a + left / e.length() * e.along()));
+        left -= e.length();
+    }
+    return points;
 }
 
 }  // namespace isph

@@ -20,6 +20,8 @@ public:
     /// The nearest wet point to x, which is in a wall's body. Exact where the nearest surface is wet, else
     /// one of points d0/4 apart.
     Foot foot(const Point& x) const;
+    /// Points of the surface, d0/4 apart.
+    const PointGrid& samples() const { return samples_; }
 
 private:
     void sample(std::size_t wall);

@@ -2,6 +2,7 @@
 #include "CaseSetup.hpp"
 
 #include "case/CaseSchemas.hpp"
+#include "integrator/SchemeKeys.hpp"
 #include "kernels/Kernel.hpp"
 #include "porous/PorousModel.hpp"
 
@@ -16,17 +17,30 @@ Dictionary readOptional(const std::filesystem::path& file)
     return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary::parse("", file.string());
 }
 
-/// Radius of the kernel, in the soil of the least porosity that the case has.
-Real supportRadius(const Dictionary& schemes, const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
+/// Radius of the kernel in clear water.
+Real clearRadius(const Dictionary& schemes, Real spacing)
 {
+    checkSchemes(schemes);
     Dictionary choice = schemes;
-    if (!choice.found("kernel")) choice.set("kernel", "wendlandC2");
+    if (!choice.found("kernel")) choice.set("kernel", schemeKeys().get<std::string>(schemes, "kernel"));
+    return Kernel::select(choice)->supportRadius() * schemeKeys().get<Real>(schemes, "smoothingRatio") * spacing;
+}
+
+/// Of the zones that the case has soil of; 1 without soil.
+Real leastPorosity(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
+{
     Real least = 1;
     for (const SoilRegion& region : g.soil)
         for (const ZonePorosity& zone : zones)
             if (zone.name == region.zone) least = std::min(least, zone.porosity);
-    const Real h = schemes.getOrDefault("smoothingRatio", 1.5) * g.spacing / std::pow(least, 1.0 / g.dimension);
-    return Kernel::select(choice)->supportRadius() * h;
+    return least;
+}
+
+void loadCaseLibraries(const std::filesystem::path& controlDict)
+{
+    if (!std::filesystem::exists(controlDict)) return;
+    for (const std::string& name : Dictionary::read(controlDict).getOrDefault("libs", std::vector<std::string>{}))
+        loadLibrary(name);
 }
 
 }  // namespace
@@ -34,6 +48,7 @@ Real supportRadius(const Dictionary& schemes, const CaseGeometry& g, const std::
 CaseSetup readCase(const std::filesystem::path& caseDir)
 {
     CaseSetup setup;
+    loadCaseLibraries(caseDir / "system" / "controlDict");
     const Dictionary particles = Dictionary::read(caseDir / "system" / "particlesDict");
     const Dictionary boundaries = readOptional(caseDir / "system" / "boundaryDict");
     const auto periodic = readPeriodic(boundaries, particles.getOrDefault("dimension", 3));
@@ -42,7 +57,9 @@ CaseSetup readCase(const std::filesystem::path& caseDir)
     for (const std::string& name : zones.keywords())
         if (name != "FoamFile" && zones.isDict(name))
             setup.zones.push_back({name, PorousModel::select(zones.subDict(name))->porosity()});
-    setup.supportRadius = supportRadius(readOptional(caseDir / "system" / "isphSchemes"), setup.geometry, setup.zones);
+    const CaseGeometry& g = setup.geometry;
+    setup.clearRadius = clearRadius(readOptional(caseDir / "system" / "isphSchemes"), g.spacing);
+    setup.supportRadius = setup.clearRadius / std::pow(leastPorosity(g, setup.zones), 1.0 / g.dimension);
     return setup;
 }
 

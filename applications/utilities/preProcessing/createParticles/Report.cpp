@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Report.hpp"
 
+#include "case/RunEstimate.hpp"
 #include "core/Log.hpp"
 
 #include <map>
@@ -73,6 +74,9 @@ void report(const CaseSetup& setup, const WaterParticles& water, const WallParti
     reportWater(g, water);
     reportWalls(setup, walls);
     reportSoil(g, soil);
+    const ParticleNumbers numbers{water.x.size(), walls.size(), soil.x.size()};
+    const Real neighbours = neighbourNumber(setup.clearRadius, g.spacing, g.dimension);
+    info("\nExpected memory of the run: {:.0f} MB", 1e-6 * runMemory(numbers, neighbours));
 }
 
 }  // namespace isph
