@@ -116,6 +116,21 @@ TEST(Macros, ASubDictionaryIsMergedInAndCanBeOverridden)
     EXPECT_TRUE(says(failureOf([] { Dictionary::parse("a 1; $a;"); }), "'a' is none"));
 }
 
+TEST(Macros, MergingKeepsWhatTheSubDictionariesHoldAlready)
+{
+    const auto dict = Dictionary::parse(
+        "base { sub { x 1; y 1; } } b { sub { y 2; z 2; } $base; } sub { z 3; } sub $!base/sub;");
+    EXPECT_EQ(dict.subDict("b").subDict("sub").keywords(), (Words{"y", "z", "x"}));
+    EXPECT_EQ(dict.subDict("b").subDict("sub").get<int>("y"), 1);
+    EXPECT_EQ(dict.subDict("sub").keywords(), (Words{"z", "x", "y"}));
+}
+
+TEST(Macros, NothingStandsAboveTheTop)
+{
+    for (const char* text : {"a 1; s { b $../../a; }", "a 1; s { b $...a; }"})
+        EXPECT_TRUE(says(failureOf([&] { Dictionary::parse(text); }), "Illegal dictionary entry")) << text;
+}
+
 TEST(Macros, KeywordsAndNestedNamesCanBeVariables)
 {
     const auto dict = Dictionary::parse(

@@ -89,8 +89,9 @@ TEST(Parser, AnExactKeyGoesBeforePatternsAndTheLastPatternWins)
     EXPECT_FALSE(dict.found("zz12")) << "the dot is escaped";
     EXPECT_FALSE(dict.found("aq")) << "a pattern matches the whole keyword";
     EXPECT_EQ(dict.keywords(), (Words{"\"p.*\"", "\"(p|q)\"", "p", "\"z\\.[0-9]+\""}));
-    EXPECT_EQ(Dictionary::parse(R"("a.*" 1; "a" 2; "a.*" 3;)").get<int>("a"), 3)
-        << "written again, a pattern is the last";
+    const auto again = Dictionary::parse(R"("a.*" 1; "a" 2; "a.*" 3;)");
+    EXPECT_EQ(again.get<int>("a"), 3) << "written again, a pattern is the last";
+    EXPECT_EQ(again.keywords(), (Words{"\"a\"", "\"a.*\""}));
 }
 
 TEST(Parser, AMissingBraceNamesTheLineOfTheOpenOne)
