@@ -14,7 +14,7 @@ struct WaterAround {
     const CellGrid<Dim>& grid;          ///< over all points
     const Points<Dim>& points;
     Span<const Vec<Dim>> u;             ///< pore velocity of the water particles [m/s]
-    Span<const Real> share;             ///< phi of the water particles
+    Span<const Real> porosity;          ///< of the water particles
     Real density = 1000, viscosity = 1e-6;
     Vec<Dim> gravity{};
 };
@@ -25,8 +25,9 @@ struct ErosionReport {
 };
 
 /// Releases bed particles and moves the released ones, after every step:
-///   judge   a particle of the bed's surface (phi of the others below 0.85) meets the speed |u_t| of the
-///           water along the bed: volume mean of clear water within 2 d0 of it, normal to the bed by
+///   judge   a particle of the bed's surface (phi below 0.85) meets the speed |u_t| of the
+///           water along the bed: volume mean of water of porosity above 0.7 within 2 d0 of it (grains in
+///           motion shelter those below), normal to the bed by
 ///           n = -grad phi/|grad phi|. Above the model's threshold, for the slope angle theta along u_t,
 ///           it is released at once, as the paper has it.
 ///   move    a released particle follows the water with the inertia and weight of its density,

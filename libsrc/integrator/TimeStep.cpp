@@ -13,6 +13,7 @@ namespace isph {
 
 namespace {
 constexpr Real kForceLimit = 0.25, kViscousLimit = 0.125;   // [Morris et al. 1997]
+constexpr Real kCollapse = 1e-5;                            // of the other limits: no flow is that fast
 constexpr Real kGrowth = 1.2;                               // BDF2 is zero-stable below 2.4
 }  // namespace
 
@@ -32,13 +33,17 @@ Real stepSize(const Scheme<Dim>& scheme, Real maxCo, Real maxDeltaT, Real first,
               Span<const Real> eddyViscosity)
 {
     Real dt = std::min(maxDeltaT, dtOld > 0 ? kGrowth * dtOld : first);
-    if (courant > 0) dt = std::min(dt, maxCo / courant);
     const Real f = norm(scheme.force);
     if (f > 0) dt = std::min(dt, kForceLimit * std::sqrt(scheme.h0 / f));
     const Real nu = scheme.viscosity
                   + orderedMax(eddyViscosity.size(), 0, [&](Index i) { return eddyViscosity[i]; });
     if (nu > 0) dt = std::min(dt, kViscousLimit * sqr(scheme.h0) / nu);
-    return dt;
+    if (courant > 0 && maxCo / courant < kCollapse * dt)
+        throw FatalError(fmt::format(
+            "The step collapsed: the water moves {:g} spacings per second, so that maxCo {:g} asks for {:g} s.\n"
+            "The flow has become unstable; the last time folder holds the last good state.",
+            courant, maxCo, maxCo / courant));
+    return courant > 0 ? std::min(dt, maxCo / courant) : dt;
 }
 
 template <int Dim>

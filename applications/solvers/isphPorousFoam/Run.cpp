@@ -7,10 +7,13 @@
 #include "SceneFiles.hpp"
 #include "case/Time.hpp"
 #include "core/Log.hpp"
+#include "erosion/Erosion.hpp"
 #include "functionObjects/FunctionObjectList.hpp"
 #include "integrator/DragImplicitStep.hpp"
 #include "integrator/TimeStep.hpp"
 #include "output/TimeFolders.hpp"
+
+#include <optional>
 
 namespace isph {
 
@@ -44,7 +47,9 @@ public:
         if (options.functionObjects)
             functions_ = FunctionObjectList(controlDict, {files.caseDir, time_.name(), time_.instant()});
         functions_.meet(time_);
+        readErosion(files);
         logScene(files, scene_);
+        if (erosion_) info("Erosion: {}\n", erosion_->model().formula());
     }
 
     int loop()
@@ -76,8 +81,30 @@ private:
         time_.advance();
         logStepStart(time_, perTime.mean * time_.deltaT(), perTime.max * time_.deltaT());
         const StepReport report = step_->advance(time_.deltaT(), dtOld);
+        if (erosion_) erode();
         requireFinite(scene_.water, time_.value(), time_.deltaT());
         log_.write(time_, report);
+    }
+
+    void readErosion(const CaseFiles& files)
+    {
+        if (!files.hasErosion) return;
+        if (!scene_.porous)
+            files.erosion.fail("erosionModel", "There is no soil in this case that could be eroded.");
+        erosion_.emplace(ErosionModel::select(files.erosion), scene_.scheme.spacing);
+    }
+
+    void erode()
+    {
+        const auto timer = timers_.scope("erosion");
+        const StepFields<Dim>& fields = step_->fields();
+        const Scheme<Dim>& scheme = scene_.scheme;
+        const ErosionReport report = erosion_->advance(
+            {fields.pairs.grid(), fields.points, scene_.water.u, fields.soil.porosity, scheme.density,
+             scheme.viscosity, scheme.force},
+            *scene_.porous, scene_.box, time_.deltaT(), scene_.soil);
+        if (report.moving > 0) scene_.porous->place(scene_.soil, scene_.box);
+        info("Erosion: {} particles released, {} released so far", report.released, report.moving);
     }
 
     void write()
@@ -92,6 +119,7 @@ private:
         if (scene_.walls.size() > 0) parts.emplace("walls", walls);
         if (scene_.soil.size() > 0) parts.emplace("soil", soil);
         writer_.write(time_.state(), parts, time_.purgeWrite());
+        logExtent(scene_.water);
     }
 
     void measure()
@@ -108,6 +136,7 @@ private:
     std::unique_ptr<ProjectionStep<Dim>> step_;
     TimeFolderWriter writer_;
     FunctionObjectList functions_;
+    std::optional<Erosion<Dim>> erosion_;   ///< only where the case has constant/erosionProperties
     StepLog log_;
 };
 

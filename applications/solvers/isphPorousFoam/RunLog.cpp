@@ -104,6 +104,15 @@ void StepLog::write(const Time& time, const StepReport& report)
     info("ExecutionTime = {:.2f} s  ClockTime = {:.0f} s\n", cpuSeconds(), wallSeconds() - wallStart_);
 }
 
+template <int Dim>
+void logExtent(const Water<Dim>& water)
+{
+    Vec<Dim> low = water.x.front(), high = low;
+    for (const Vec<Dim>& x : water.x)
+        for (int d = 0; d < Dim; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
+    info("Extent of the water: ({:.6g}) to ({:.6g})\n", fmt::join(low.c, " "), fmt::join(high.c, " "));
+}
+
 void logTimings(const Timers& timers, Real particleSteps, double seconds)
 {
     info("Time of the parts of the run:");
@@ -117,5 +126,7 @@ void logTimings(const Timers& timers, Real particleSteps, double seconds)
 
 template void logScene(const CaseFiles&, const Scene<2>&);
 template void logScene(const CaseFiles&, const Scene<3>&);
+template void logExtent(const Water<2>&);
+template void logExtent(const Water<3>&);
 
 }  // namespace isph

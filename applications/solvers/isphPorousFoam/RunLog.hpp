@@ -28,6 +28,10 @@ private:
     int notConverged_ = 0;
 };
 
+/// Corners of the box around the water, where a state is written.
+template <int Dim>
+void logExtent(const Water<Dim>& water);
+
 /// Time per part of the step and particle-steps per second.
 void logTimings(const Timers& timers, Real particleSteps, double seconds);
 
