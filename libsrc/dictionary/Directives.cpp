@@ -51,6 +51,8 @@ void DictionaryParser::failDirective(const Lexeme& name)
             "#codeStream is refused: isphPorousFoam compiles no code out of dictionaries. "
             "Numbers can be computed by #calc \"...\" or #eval \"...\"",
             name.line);
+    if (name.text.empty())
+        fail("'#' begins a directive, as in #include. Comments begin with //", name.line);
     const std::vector<std::string> known{"include",     "includeIfPresent",
                                          "sinclude",    "includeEtc",
                                          "includeFunc", "inputMode",

@@ -294,6 +294,7 @@ TEST(Include, FuncBringsAConfiguredFunctionObject)
     EXPECT_EQ(functions.subDict("probes").get<int>("writeInterval"), 2);
     EXPECT_EQ(functions.subDict("more").get<std::vector<Vector3>>("points").size(), 2u);
     EXPECT_EQ(functions.subDict("more").get<Words>("fields"), Words{"U"});
+    EXPECT_TRUE(says(failureOf([] { Dictionary::parse("# note"); }), "Comments begin with //"));
     EXPECT_TRUE(says(failureOf([] { Dictionary::parse("#includeFunc nothing"); }),
                      "#includeFunc cannot find \"nothing\""));
 }
