@@ -8,13 +8,20 @@ namespace isph {
 
 namespace {
 constexpr Real pi = std::numbers::pi;
-Vec<2> flat(const Point& x) { return {{x[0], x[1]}}; }
-Point anyUnit() { return {{1, 0, 0}}; }
+Vec<2> flat(const Point& x)
+{
+    return {{x[0], x[1]}};
+}
+Point anyUnit()
+{
+    return {{1, 0, 0}};
+}
 }  // namespace
 
 // ---- Box
 
-Box::Box(const Point& min, const Point& max, int dimension) : min_(min), max_(max), dimension_(dimension)
+Box::Box(const Point& min, const Point& max, int dimension)
+    : min_(min), max_(max), dimension_(dimension)
 {
     if (dimension_ == 2) min_[2] = max_[2] = 0;
 }
@@ -68,8 +75,8 @@ std::optional<OrientedBox> Box::box() const
 
 std::vector<Edge> Box::contour(Real) const
 {
-    std::vector<Edge> edges = loopOf(
-        {flat(min_), {{max_[0], min_[1]}}, flat(max_), {{min_[0], max_[1]}}});
+    std::vector<Edge> edges =
+        loopOf({flat(min_), {{max_[0], min_[1]}}, flat(max_), {{min_[0], max_[1]}}});
     for (int k = 0; k < 4; ++k) edges[k].tag = k;
     return edges;
 }
@@ -82,7 +89,10 @@ Sphere::Sphere(const Point& centre, Real radius, int dimension)
     if (dimension_ == 2) centre_[2] = 0;
 }
 
-Real Sphere::signedDistance(const Point& x) const { return norm(x - centre_) - radius_; }
+Real Sphere::signedDistance(const Point& x) const
+{
+    return norm(x - centre_) - radius_;
+}
 
 Point Sphere::nearestPoint(const Point& x) const
 {
@@ -135,7 +145,7 @@ Point Cylinder::nearestPoint(const Point& x) const
 {
     const Polar p = polar(x);
     Real along = std::clamp(p.along, 0.0, length_), radius = std::min(p.radius, radius_);
-    if (along == p.along && radius == p.radius) {   // inside: to the nearest of side and ends
+    if (along == p.along && radius == p.radius) {  // inside: to the nearest of side and ends
         const Real side = radius_ - p.radius, low = p.along, high = length_ - p.along;
         if (side <= low && side <= high)
             radius = radius_;
@@ -158,11 +168,15 @@ BoundingBox Cylinder::bounds() const
     return b;
 }
 
-std::optional<Real> Cylinder::volume() const { return pi * sqr(radius_) * length_; }
+std::optional<Real> Cylinder::volume() const
+{
+    return pi * sqr(radius_) * length_;
+}
 
 // ---- HalfSpace
 
-HalfSpace::HalfSpace(const Point& point, const Point& normal, const BoundingBox& limits, int dimension)
+HalfSpace::HalfSpace(const Point& point, const Point& normal, const BoundingBox& limits,
+                     int dimension)
     : point_(point), normal_(normal), limits_(limits)
 {
     if (dimension == 2) point_[2] = normal_[2] = 0;
@@ -175,7 +189,8 @@ std::vector<Edge> HalfSpace::contour(Real) const
     const std::vector<Edge> frame = Box(limits_.min, limits_.max, 2).contour(0);
     std::vector<Vec<2>> kept;
     for (const Edge& e : frame) {
-        const Real a = signedDistance({{e.a[0], e.a[1], 0}}), b = signedDistance({{e.b[0], e.b[1], 0}});
+        const Real a = signedDistance({{e.a[0], e.a[1], 0}}),
+                   b = signedDistance({{e.b[0], e.b[1], 0}});
         if (a <= 0) kept.push_back(e.a);
         if ((a < 0 && b > 0) || (a > 0 && b < 0)) kept.push_back(e.a + a / (a - b) * e.along());
     }

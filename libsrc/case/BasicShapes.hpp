@@ -53,7 +53,10 @@ public:
 
 private:
     /// Distance along the axis from point1 and the vector from the axis.
-    struct Polar { Real along, radius; Point outward; };
+    struct Polar {
+        Real along, radius;
+        Point outward;
+    };
     Polar polar(const Point& x) const;
 
     Point point1_, axis_;

@@ -8,7 +8,9 @@ namespace isph {
 
 namespace {
 
-struct Extent { Point min, max; };   // in the frame of the box that is cut
+struct Extent {
+    Point min, max;
+};  // in the frame of the box that is cut
 
 bool overlaps(const Extent& a, const Extent& b, int dimension, Real tolerance)
 {
@@ -47,21 +49,23 @@ Extent extentInFrame(const OrientedBox& box, const BoundingBox& b)
 }
 
 /// Those of the shapes that overlap the box, as extents (nullopt inside: does not overlap).
-bool collect(const OrientedBox& box, int dimension, Real tolerance, const std::vector<const Shape*>& shapes,
-             std::vector<std::optional<Extent>>& extents)
+bool collect(const OrientedBox& box, int dimension, Real tolerance,
+             const std::vector<const Shape*>& shapes, std::vector<std::optional<Extent>>& extents)
 {
     const Extent whole{{}, box.length};
     for (const Shape* shape : shapes) {
         const std::optional<OrientedBox> other = shape->box();
         const std::optional<Extent> extent = other ? inFrame(box, *other) : std::nullopt;
-        const bool meets = overlaps(whole, extent ? *extent : extentInFrame(box, shape->bounds()), dimension, tolerance);
+        const bool meets = overlaps(whole, extent ? *extent : extentInFrame(box, shape->bounds()),
+                                    dimension, tolerance);
         if (meets && !extent) return false;
         extents.push_back(meets ? extent : std::nullopt);
     }
     return true;
 }
 
-std::vector<Real> cutsAlong(int d, Real length, Real tolerance, const std::vector<std::optional<Extent>>& extents)
+std::vector<Real> cutsAlong(int d, Real length, Real tolerance,
+                            const std::vector<std::optional<Extent>>& extents)
 {
     std::vector<Real> cuts{0, length};
     for (const auto& e : extents)
@@ -84,7 +88,8 @@ void mergeAlong(int d, int dimension, Real tolerance, std::vector<std::pair<Exte
             bool joins = std::fabs(a.max[d] - b.min[d]) < tolerance;
             for (int e = 0; e < dimension; ++e)
                 if (e != d)
-                    joins = joins && std::fabs(a.min[e] - b.min[e]) < tolerance && std::fabs(a.max[e] - b.max[e]) < tolerance;
+                    joins = joins && std::fabs(a.min[e] - b.min[e]) < tolerance &&
+                            std::fabs(a.max[e] - b.max[e]) < tolerance;
             if (!joins) continue;
             a.max[d] = b.max[d];
             cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(j));
@@ -127,7 +132,8 @@ std::optional<std::vector<BoxCell>> cutIntoCells(const OrientedBox& box, int dim
 
     std::vector<BoxCell> result;
     for (const auto& [extent, partner] : cells)
-        result.push_back({{box.toGlobal(extent.min), box.rotation, extent.max - extent.min}, partner});
+        result.push_back(
+            {{box.toGlobal(extent.min), box.rotation, extent.max - extent.min}, partner});
     return result;
 }
 
@@ -152,8 +158,8 @@ BoundingBox boundsOf(const OrientedBox& box)
 namespace {
 
 /// Divides [low, low + width] of axis axes[level] into slabs, and each slab along the next axes.
-void fillSlabs(const OrientedBox& box, const std::vector<int>& axes, std::size_t level, std::int64_t count,
-               Real spacing, Point at, std::vector<Point>& points)
+void fillSlabs(const OrientedBox& box, const std::vector<int>& axes, std::size_t level,
+               std::int64_t count, Real spacing, Point at, std::vector<Point>& points)
 {
     const int d = axes[level];
     const Real length = box.length[d];
@@ -167,7 +173,8 @@ void fillSlabs(const OrientedBox& box, const std::vector<int>& axes, std::size_t
     const std::int64_t slabs = std::clamp<std::int64_t>(std::llround(length / spacing), 1, count);
     std::int64_t before = 0;
     for (std::int64_t k = 0; k < slabs; ++k) {
-        const std::int64_t upTo = (2 * (k + 1) * count + slabs) / (2 * slabs);   // rounded (k+1) count/slabs
+        const std::int64_t upTo =
+            (2 * (k + 1) * count + slabs) / (2 * slabs);  // rounded (k+1) count/slabs
         const auto share = static_cast<Real>(count);
         at[d] = 0.5 * static_cast<Real>(before + upTo) / share * length;
         if (upTo > before) fillSlabs(box, axes, level + 1, upTo - before, spacing, at, points);
@@ -181,11 +188,14 @@ std::vector<Point> fillBox(const OrientedBox& box, int dimension, std::int64_t c
 {
     std::vector<Point> points;
     if (count <= 0) return points;
-    const Real spacing = std::pow(volumeOf(box, dimension) / static_cast<Real>(count), 1.0 / dimension);
-    // rows along the longest side: there one particle more or less matters least. Of equal sides the last.
+    const Real spacing =
+        std::pow(volumeOf(box, dimension) / static_cast<Real>(count), 1.0 / dimension);
+    // rows along the longest side: there one particle more or less matters least. Of equal sides
+    // the last.
     std::vector<int> axes(static_cast<std::size_t>(dimension));
     std::iota(axes.begin(), axes.end(), 0);
-    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return box.length[a] < box.length[b] * (1 - 1e-9); });
+    std::stable_sort(axes.begin(), axes.end(),
+                     [&](int a, int b) { return box.length[a] < box.length[b] * (1 - 1e-9); });
     fillSlabs(box, axes, 0, count, spacing, {}, points);
     return points;
 }

@@ -13,8 +13,8 @@ struct BoxCell {
     int partner = -1;
 };
 
-/// `box` without the shapes in `taken`, divided among `partners` (the first that holds a point has it).
-/// nullopt where one of them overlaps the box and is no box along the same axes.
+/// `box` without the shapes in `taken`, divided among `partners` (the first that holds a point has
+/// it). nullopt where one of them overlaps the box and is no box along the same axes.
 std::optional<std::vector<BoxCell>> cutIntoCells(const OrientedBox& box, int dimension,
                                                  const std::vector<const Shape*>& taken,
                                                  const std::vector<const Shape*>& partners);

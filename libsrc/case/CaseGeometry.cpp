@@ -10,10 +10,13 @@
 
 namespace isph {
 
-Wall::Wall(std::string name, std::unique_ptr<Shape> shape, bool fluidInside, std::vector<int> openFaces,
-           Location at, int dimension)
-    : name_(std::move(name)), shape_(std::move(shape)), fluidInside_(fluidInside),
-      openFaces_(std::move(openFaces)), at_(std::move(at))
+Wall::Wall(std::string name, std::unique_ptr<Shape> shape, bool fluidInside,
+           std::vector<int> openFaces, Location at, int dimension)
+    : name_(std::move(name)),
+      shape_(std::move(shape)),
+      fluidInside_(fluidInside),
+      openFaces_(std::move(openFaces)),
+      at_(std::move(at))
 {
     if (openFaces_.empty()) return;
     frame_ = shape_->box();
@@ -44,7 +47,7 @@ Point Wall::surfacePoint(const Point& x) const
 {
     if (!channel_) return shape_->nearestPoint(x);
     Point q = channel_->nearestPoint(frame_->toLocal(x));
-    for (int face : openFaces_) {   // the surface ends at the plane of the open face
+    for (int face : openFaces_) {  // the surface ends at the plane of the open face
         const int d = face / 2;
         q[d] = face % 2 ? std::min(q[d], frame_->length[d]) : std::max(q[d], 0.0);
     }
@@ -93,13 +96,15 @@ Wall readWall(const Dictionary& dict, const ShapeContext& context)
     std::vector<int> open;
     for (const std::string& word : dict.getOrDefault("open", std::vector<std::string>{}))
         open.push_back(faceOf(dict, word, context.dimension));
-    if (!open.empty() && !shape->box())
-        dict.fail("open", "only a box has faces that can be open");
-    const std::string side = dict.getChoice("fluid", {"inside", "outside"}, open.empty() ? "outside" : "inside");
+    if (!open.empty() && !shape->box()) dict.fail("open", "only a box has faces that can be open");
+    const std::string side =
+        dict.getChoice("fluid", {"inside", "outside"}, open.empty() ? "outside" : "inside");
     if (!open.empty() && side == "outside")
-        dict.fail("fluid", "a box with open faces holds its water inside: write fluid inside, or leave it out");
-    return Wall(dict.scopeName(), std::move(shape), side == "inside", std::move(open), dict.location(),
-                context.dimension);
+        dict.fail(
+            "fluid",
+            "a box with open faces holds its water inside: write fluid inside, or leave it out");
+    return Wall(dict.scopeName(), std::move(shape), side == "inside", std::move(open),
+                dict.location(), context.dimension);
 }
 
 /// f(sub-dictionary) for each region in dict.key.
@@ -111,8 +116,9 @@ void forEachRegion(const Dictionary& dict, const std::string& key, F&& f)
     for (const std::string& name : regions.keywords()) {
         if (!regions.isDict(name)) {
             if (regions.isUsedByMacro(name)) continue;
-            regions.fail(name, fmt::format("{} is not a dictionary: {} holds one dictionary per region",
-                                           name, key));
+            regions.fail(name,
+                         fmt::format("{} is not a dictionary: {} holds one dictionary per region",
+                                     name, key));
         }
         f(regions.subDict(name));
     }
@@ -129,7 +135,8 @@ CaseGeometry readGeometry(const Dictionary& dict, const std::array<bool, 3>& per
     g.dimension = dict.get<int>("dimension");
     const Dictionary& domain = dict.subDict("domain");
     domainKeys().check(domain);
-    g.domain = {{domain.get<Vector3>("min", dims::length)}, {domain.get<Vector3>("max", dims::length)}};
+    g.domain = {{domain.get<Vector3>("min", dims::length)},
+                {domain.get<Vector3>("max", dims::length)}};
     if (g.dimension == 2) g.domain.min[2] = g.domain.max[2] = 0;
     for (int d = 0; d < g.dimension; ++d) {
         const Real extent = g.domain.max[d] - g.domain.min[d];
@@ -137,15 +144,17 @@ CaseGeometry readGeometry(const Dictionary& dict, const std::array<bool, 3>& per
             domain.fail("max", fmt::format("the domain has no extent along {}: min {} and max {}",
                                            "xyz"[d], g.domain.min[d], g.domain.max[d]));
         if (g.spacing > extent)
-            dict.fail("spacing", fmt::format("spacing {} m is more than the domain's extent {} m along {}",
-                                             g.spacing, extent, "xyz"[d]));
+            dict.fail("spacing",
+                      fmt::format("spacing {} m is more than the domain's extent {} m along {}",
+                                  g.spacing, extent, "xyz"[d]));
         g.periodic[d] = periodic[d];
     }
     const ShapeContext context{g.dimension, g.domain, caseDir};
-    forEachRegion(dict, "walls", [&](const Dictionary& d) { g.walls.push_back(readWall(d, context)); });
+    forEachRegion(dict, "walls",
+                  [&](const Dictionary& d) { g.walls.push_back(readWall(d, context)); });
     forEachRegion(dict, "water", [&](const Dictionary& d) {
-        g.water.push_back({d.scopeName(), readShape(d, context, waterKeys().keys()), readVelocity(d),
-                           d.location()});
+        g.water.push_back({d.scopeName(), readShape(d, context, waterKeys().keys()),
+                           readVelocity(d), d.location()});
     });
     forEachRegion(dict, "soil", [&](const Dictionary& d) {
         g.soil.push_back({d.scopeName(), d.get<std::string>("zone"),

@@ -12,9 +12,10 @@ namespace isph {
 /// A wall: the body that water does not enter.
 class Wall {
 public:
-    /// fluidInside: the body is what lies outside the shape. open: faces of a box that have no wall.
-    Wall(std::string name, std::unique_ptr<Shape> shape, bool fluidInside, std::vector<int> openFaces,
-         Location at, int dimension);
+    /// fluidInside: the body is what lies outside the shape. open: faces of a box that have no
+    /// wall.
+    Wall(std::string name, std::unique_ptr<Shape> shape, bool fluidInside,
+         std::vector<int> openFaces, Location at, int dimension);
 
     const std::string& name() const { return name_; }
     const Shape& shape() const { return *shape_; }
@@ -24,8 +25,8 @@ public:
     bool isOpen(int face) const;
     const Location& location() const { return at_; }
 
-    /// Distance to the wall's surface, negative in its body. The body of a box with an open face ends at
-    /// the plane of that face.
+    /// Distance to the wall's surface, negative in its body. The body of a box with an open face
+    /// ends at the plane of that face.
     Real bodyDistance(const Point& x) const;
     /// The point of the wall's surface nearest to x.
     Point surfacePoint(const Point& x) const;
@@ -36,8 +37,8 @@ private:
     bool fluidInside_;
     std::vector<int> openFaces_;
     Location at_;
-    std::optional<OrientedBox> frame_;   // of a box with open faces
-    std::unique_ptr<Box> channel_;       // that box, its open faces moved far out, in its own frame
+    std::optional<OrientedBox> frame_;  // of a box with open faces
+    std::unique_ptr<Box> channel_;      // that box, its open faces moved far out, in its own frame
 };
 
 /// Velocity at the start, from a vector or from three expressions of x, y and z.
@@ -46,7 +47,7 @@ using VelocityField = std::function<Point(const Point&)>;
 struct WaterRegion {
     std::string name;
     std::unique_ptr<Shape> shape;
-    VelocityField velocity;   ///< empty: at rest
+    VelocityField velocity;  ///< empty: at rest
     Location at;
 };
 
@@ -57,13 +58,13 @@ struct SoilRegion {
 };
 
 struct CaseGeometry {
-    Real spacing = 0;   ///< d0 [m]
+    Real spacing = 0;  ///< d0 [m]
     int dimension = 2;
     BoundingBox domain;
     std::array<bool, 3> periodic{};
     std::vector<Wall> walls;
-    std::vector<WaterRegion> water;   ///< of overlapping regions the first has the common part
-    std::vector<SoilRegion> soil;     ///< as water
+    std::vector<WaterRegion> water;  ///< of overlapping regions the first has the common part
+    std::vector<SoilRegion> soil;    ///< as water
 
     Real cellVolume() const { return dimension == 2 ? sqr(spacing) : cube(spacing); }
     /// Distance to the nearest wall body, negative inside one (then by the depth in the body it is

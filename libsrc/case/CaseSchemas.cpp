@@ -5,13 +5,15 @@ namespace isph {
 
 Schema particlesKeys()
 {
-    return {Key::scalar("spacing", "distance d0 between particles of clear water [m]")
-                .units(dims::length).above(0),
-            Key::integer("dimension", "2 for a section in the x-y plane, or 3").atLeast(2).atMost(3),
-            Key::dictionary("domain", "the box that holds the case: min and max"),
-            Key::dictionary("walls", "bodies that water does not enter, by name").mayBeAbsent(),
-            Key::dictionary("water", "regions of water, by name"),
-            Key::dictionary("soil", "regions of soil, by name").mayBeAbsent()};
+    return {
+        Key::scalar("spacing", "distance d0 between particles of clear water [m]")
+            .units(dims::length)
+            .above(0),
+        Key::integer("dimension", "2 for a section in the x-y plane, or 3").atLeast(2).atMost(3),
+        Key::dictionary("domain", "the box that holds the case: min and max"),
+        Key::dictionary("walls", "bodies that water does not enter, by name").mayBeAbsent(),
+        Key::dictionary("water", "regions of water, by name"),
+        Key::dictionary("soil", "regions of soil, by name").mayBeAbsent()};
 }
 
 Schema domainKeys()
@@ -22,31 +24,44 @@ Schema domainKeys()
 
 Schema wallKeys()
 {
-    return {Key::word("fluid", "the side of the surface where the water is; inside by default for a box "
-                               "with open faces, else outside").oneOf({"inside", "outside"}).mayBeAbsent(),
-            Key::list("open", "faces of a box without wall: left right bottom top back front, or xMin xMax "
-                              "yMin yMax zMin zMax").mayBeAbsent()};
+    return {Key::word("fluid",
+                      "the side of the surface where the water is; inside by default for a box "
+                      "with open faces, else outside")
+                .oneOf({"inside", "outside"})
+                .mayBeAbsent(),
+            Key::list("open",
+                      "faces of a box without wall: left right bottom top back front, or xMin xMax "
+                      "yMin yMax zMin zMax")
+                .mayBeAbsent()};
 }
 
 Schema waterKeys()
 {
-    return {Key::list("velocity", "velocity at the start, a vector [m/s] or three expressions of x, y and "
-                                  "z; by default at rest").units(dims::velocity).mayBeAbsent()};
+    return {Key::list("velocity",
+                      "velocity at the start, a vector [m/s] or three expressions of x, y and "
+                      "z; by default at rest")
+                .units(dims::velocity)
+                .mayBeAbsent()};
 }
 
-Schema soilKeys() { return {Key::word("zone", "the soil's name in constant/porousZones")}; }
+Schema soilKeys()
+{
+    return {Key::word("zone", "the soil's name in constant/porousZones")};
+}
 
 Schema boundaryKeys()
 {
     return {Key::list("periodic", "directions in which the domain repeats: x, y, z")
-                .oneOf({"x", "y", "z"}).mayBeAbsent(),
+                .oneOf({"x", "y", "z"})
+                .mayBeAbsent(),
             Key::dictionary("walls", "conditions at walls, by the wall's name").mayBeAbsent()};
 }
 
 Schema wallConditionKeys()
 {
     return {Key::word("condition", "slip: no friction; noSlip: water at the wall moves with it")
-                .oneOf({"slip", "noSlip"}).byDefault("slip")};
+                .oneOf({"slip", "noSlip"})
+                .byDefault("slip")};
 }
 
 Schema gravityKeys()
@@ -54,13 +69,16 @@ Schema gravityKeys()
     return {Key::list("dimensions", "[0 1 -2 0 0 0 0]").units(dims::acceleration).mayBeAbsent(),
             Key::vector("value", "acceleration of gravity [m/s2]").units(dims::acceleration),
             Key::vector("bodyForce", "uniform acceleration added to gravity [m/s2]")
-                .units(dims::acceleration).byDefault("(0 0 0)")};
+                .units(dims::acceleration)
+                .byDefault("(0 0 0)")};
 }
 
 Schema transportKeys()
 {
-    return {Key::scalar("nu", "kinematic viscosity [m2/s]").units(dims::kinematicViscosity)
-                .byDefault("1e-6").atLeast(0),
+    return {Key::scalar("nu", "kinematic viscosity [m2/s]")
+                .units(dims::kinematicViscosity)
+                .byDefault("1e-6")
+                .atLeast(0),
             Key::scalar("rho", "density [kg/m3]").units(dims::density).byDefault("1000").above(0)};
 }
 
@@ -72,7 +90,8 @@ std::array<bool, 3> readPeriodic(const Dictionary& boundaryDict, int dimension)
     for (const std::string& word : boundaryDict.get<std::vector<std::string>>("periodic")) {
         const int d = word[0] - 'x';
         if (d >= dimension)
-            boundaryDict.fail("periodic", "a case of two dimensions has no direction z to repeat in");
+            boundaryDict.fail("periodic",
+                              "a case of two dimensions has no direction z to repeat in");
         periodic[d] = true;
     }
     return periodic;

@@ -7,15 +7,15 @@
 
 namespace isph {
 
-Schema particlesKeys();   ///< system/particlesDict
-Schema domainKeys();      ///< its domain
-Schema wallKeys();        ///< of a region of walls, beside the keys of its shape
-Schema waterKeys();       ///< of a region of water, likewise
-Schema soilKeys();        ///< of a region of soil, likewise
-Schema boundaryKeys();    ///< system/boundaryDict
-Schema wallConditionKeys();   ///< one wall of it
-Schema gravityKeys();     ///< constant/g
-Schema transportKeys();   ///< constant/transportProperties
+Schema particlesKeys();      ///< system/particlesDict
+Schema domainKeys();         ///< its domain
+Schema wallKeys();           ///< of a region of walls, beside the keys of its shape
+Schema waterKeys();          ///< of a region of water, likewise
+Schema soilKeys();           ///< of a region of soil, likewise
+Schema boundaryKeys();       ///< system/boundaryDict
+Schema wallConditionKeys();  ///< one wall of it
+Schema gravityKeys();        ///< constant/g
+Schema transportKeys();      ///< constant/transportProperties
 
 /// The directions that system/boundaryDict calls periodic. In two dimensions z is refused.
 std::array<bool, 3> readPeriodic(const Dictionary& boundaryDict, int dimension);

@@ -16,7 +16,8 @@ std::pair<const Shape*, Real> CompositeShape::decisive(const Point& x) const
     Real bestSign = 1, value = best->signedDistance(x);
     for (std::size_t k = 1; k < parts_.size(); ++k) {
         const Real sign = kind_ == Kind::subtract ? -1 : 1, f = sign * parts_[k]->signedDistance(x);
-        if (kind_ == Kind::unite ? f < value : f > value) best = parts_[k].get(), bestSign = sign, value = f;
+        if (kind_ == Kind::unite ? f < value : f > value)
+            best = parts_[k].get(), bestSign = sign, value = f;
     }
     return {best, bestSign};
 }
@@ -27,8 +28,8 @@ Real CompositeShape::signedDistance(const Point& x) const
     return sign * part->signedDistance(x);
 }
 
-/// Steps to the surface of the decisive part until it is the composite's; where parts meet at an edge
-/// the steps alternate between them and close in on it.
+/// Steps to the surface of the decisive part until it is the composite's; where parts meet at an
+/// edge the steps alternate between them and close in on it.
 Point CompositeShape::nearestPoint(const Point& x) const
 {
     Point p = x;
@@ -84,11 +85,13 @@ std::vector<Edge> CompositeShape::contour(Real tolerance) const
         for (const Edge& e : part->contour(tolerance)) edges.push_back(e);
     const Real scale = norm(bounds().size());
     return boundaryOf(cutAtCrossings(edges, 1e-10 * scale), std::max(4 * tolerance, 1e-8 * scale),
-                      [&](const Vec<2>& x) { return signedDistance({{x[0], x[1], 0}}) < 0; });
+                      [&](const Vec<2>& x) {
+                          return signedDistance({{x[0], x[1], 0}}) < 0;
+                      });
 }
 
-RotatedShape::RotatedShape(std::unique_ptr<Shape> shape, const Mat<3>& rotation, const Point& origin,
-                           int dimension)
+RotatedShape::RotatedShape(std::unique_ptr<Shape> shape, const Mat<3>& rotation,
+                           const Point& origin, int dimension)
     : shape_(std::move(shape)), rotation_(rotation), origin_(origin), dimension_(dimension)
 {
 }

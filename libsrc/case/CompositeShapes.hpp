@@ -7,7 +7,7 @@ namespace isph {
 
 class CompositeShape : public Shape {
 public:
-    enum class Kind { unite, subtract, intersect };   ///< subtract: the first without the others
+    enum class Kind { unite, subtract, intersect };  ///< subtract: the first without the others
     CompositeShape(Kind kind, std::vector<std::unique_ptr<Shape>> parts, int dimension);
 
     Real signedDistance(const Point& x) const override;
@@ -31,10 +31,14 @@ private:
 /// x -> origin + R (x - origin) applied to a shape.
 class RotatedShape : public Shape {
 public:
-    RotatedShape(std::unique_ptr<Shape> shape, const Mat<3>& rotation, const Point& origin, int dimension);
+    RotatedShape(std::unique_ptr<Shape> shape, const Mat<3>& rotation, const Point& origin,
+                 int dimension);
 
     Real signedDistance(const Point& x) const override { return shape_->signedDistance(back(x)); }
-    Point nearestPoint(const Point& x) const override { return forth(shape_->nearestPoint(back(x))); }
+    Point nearestPoint(const Point& x) const override
+    {
+        return forth(shape_->nearestPoint(back(x)));
+    }
     Point normal(const Point& x) const override { return rotation_ * shape_->normal(back(x)); }
     BoundingBox bounds() const override;
     bool bounded() const override { return shape_->bounded(); }

@@ -20,7 +20,7 @@ std::vector<Edge> circleEdges(const Vec<2>& centre, Real radius, Real tolerance)
     const Real pi = std::numbers::pi;
     const Real angle = std::acos(std::max(0.0, 1 - std::min(1.0, tolerance / radius)));
     const int n = std::max(16, static_cast<int>(std::ceil(pi / angle)));
-    const Real r = radius * std::sqrt(2 * pi / (n * std::sin(2 * pi / n)));   // equal area
+    const Real r = radius * std::sqrt(2 * pi / (n * std::sin(2 * pi / n)));  // equal area
     std::vector<Vec<2>> points;
     for (int i = 0; i < n; ++i)
         points.push_back(centre + r * Vec<2>{{std::cos(2 * pi * i / n), std::sin(2 * pi * i / n)}});
@@ -29,7 +29,10 @@ std::vector<Edge> circleEdges(const Vec<2>& centre, Real radius, Real tolerance)
 
 namespace {
 
-Real cross(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+Real cross(const Vec<2>& a, const Vec<2>& b)
+{
+    return a[0] * b[1] - a[1] * b[0];
+}
 
 /// Adds to `cuts` the positions on e (0..1) where the other edge crosses, touches or ends on it.
 void crossings(const Edge& e, const Edge& other, Real tolerance, std::vector<Real>& cuts)
@@ -71,8 +74,9 @@ std::vector<Edge> cutAtCrossings(const std::vector<Edge>& edges, Real tolerance)
     for (const Edge& e : edges) spans.emplace_back(e);
     std::vector<std::size_t> order(edges.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t i, std::size_t j) { return spans[i].min[0] < spans[j].min[0]; });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        return spans[i].min[0] < spans[j].min[0];
+    });
 
     std::vector<std::vector<Real>> cuts(edges.size());
     for (std::size_t s = 0; s < order.size(); ++s)
@@ -135,10 +139,12 @@ std::vector<Chain> chained(const std::vector<Edge>& edges, Real tolerance)
     std::stable_sort(byStart.begin(), byStart.end(),
                      [&](std::size_t i, std::size_t j) { return edges[i].a[0] < edges[j].a[0]; });
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        const auto from = std::lower_bound(byStart.begin(), byStart.end(), edges[i].b[0] - tolerance,
-                                           [&](std::size_t k, Real x) { return edges[k].a[0] < x; });
+        const auto from =
+            std::lower_bound(byStart.begin(), byStart.end(), edges[i].b[0] - tolerance,
+                             [&](std::size_t k, Real x) { return edges[k].a[0] < x; });
         for (auto k = from; k != byStart.end() && edges[*k].a[0] <= edges[i].b[0] + tolerance; ++k)
-            if (previous[*k] == none && next[i] == none && norm(edges[*k].a - edges[i].b) <= tolerance) {
+            if (previous[*k] == none && next[i] == none &&
+                norm(edges[*k].a - edges[i].b) <= tolerance) {
                 next[i] = *k;
                 previous[*k] = i;
             }

@@ -11,8 +11,8 @@ namespace isph {
 /// A straight piece of a boundary; the interior is on its left, the outside on its right.
 struct Edge {
     Vec<2> a, b;
-    int tag = 0;         ///< whose edge it is (a wall's index, a box's side)
-    bool curved = false; ///< a chord of an arc
+    int tag = 0;          ///< whose edge it is (a wall's index, a box's side)
+    bool curved = false;  ///< a chord of an arc
 
     Vec<2> along() const { return b - a; }
     Real length() const { return norm(b - a); }
@@ -33,16 +33,16 @@ struct Chain {
 /// Closed loop through the points (the last joins the first).
 std::vector<Edge> loopOf(const std::vector<Vec<2>>& points, int tag = 0, bool curved = false);
 
-/// The circle as chords, counter-clockwise, that deviate by at most `tolerance`; the polygon has the
-/// circle's area.
+/// The circle as chords, counter-clockwise, that deviate by at most `tolerance`; the polygon has
+/// the circle's area.
 std::vector<Edge> circleEdges(const Vec<2>& centre, Real radius, Real tolerance);
 
 /// The edges cut wherever two of them cross, touch or overlap (within `tolerance`).
 std::vector<Edge> cutAtCrossings(const std::vector<Edge>& edges, Real tolerance);
 
-/// Of edges cut at their crossings, those that bound the set `inside`: the points at distance `probe`
-/// to the left and right differ. Turned where the set is on the right; of edges that lie on each other
-/// the first stays.
+/// Of edges cut at their crossings, those that bound the set `inside`: the points at distance
+/// `probe` to the left and right differ. Turned where the set is on the right; of edges that lie on
+/// each other the first stays.
 std::vector<Edge> boundaryOf(const std::vector<Edge>& edges, Real probe,
                              const std::function<bool(const Vec<2>&)>& inside);
 

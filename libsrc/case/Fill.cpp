@@ -18,10 +18,10 @@ namespace {
 /// Parts of regions with their points.
 struct Laid {
     std::vector<RegionPart> parts;
-    std::vector<std::size_t> region;   ///< of each part
-    std::vector<Real> porosity;        ///< of each part
+    std::vector<std::size_t> region;  ///< of each part
+    std::vector<Real> porosity;       ///< of each part
     std::vector<Point> x;
-    std::vector<std::size_t> part;     ///< of each point
+    std::vector<std::size_t> part;  ///< of each point
 
     void add(RegionPart p, std::size_t ofRegion, Real eps, const std::vector<Point>& points)
     {
@@ -40,13 +40,15 @@ const ZonePorosity* zoneOf(const std::vector<ZonePorosity>& zones, const std::st
     return nullptr;
 }
 
-[[noreturn]] void failNoRoom(const std::string& kind, const std::string& name, Real volume, Real spacing,
-                             int dimension, const Location& at)
+[[noreturn]] void failNoRoom(const std::string& kind, const std::string& name, Real volume,
+                             Real spacing, int dimension, const Location& at)
 {
-    throw FatalIOError(fmt::format("the {} region {} has no room for a particle: {:.6g} {} of it at a spacing of "
-                                   "{:.6g} m\n(is it covered by a region listed before, or the spacing too large?)",
-                                   kind, name, volume, dimension == 2 ? "m2" : "m3", spacing),
-                       at.file, at.line);
+    throw FatalIOError(
+        fmt::format(
+            "the {} region {} has no room for a particle: {:.6g} {} of it at a spacing of "
+            "{:.6g} m\n(is it covered by a region listed before, or the spacing too large?)",
+            kind, name, volume, dimension == 2 ? "m2" : "m3", spacing),
+        at.file, at.line);
 }
 
 template <class Region>
@@ -57,19 +59,22 @@ std::vector<const Shape*> shapesBefore(const std::vector<Region>& regions, std::
     return shapes;
 }
 
-/// The number of particles for a volume; in one box a lattice's number where that is off by one at most.
+/// The number of particles for a volume; in one box a lattice's number where that is off by one at
+/// most.
 std::int64_t clearCount(const RegionPart& part, const CaseGeometry& g)
 {
     const std::int64_t count = std::llround(part.volume / g.cellVolume());
     if (part.boxes.size() != 1) return count;
     std::int64_t lattice = 1;
-    for (int d = 0; d < g.dimension; ++d) lattice *= std::llround(part.boxes[0].length[d] / g.spacing);
+    for (int d = 0; d < g.dimension; ++d)
+        lattice *= std::llround(part.boxes[0].length[d] / g.spacing);
     return std::abs(lattice - count) <= 1 && lattice > 0 ? lattice : count;
 }
 
 /// Distance to all regions together, positive outside.
 template <class Region>
-std::function<Real(const Point&)> outsideOf(const CaseGeometry& g, const std::vector<Region>& regions)
+std::function<Real(const Point&)> outsideOf(const CaseGeometry& g,
+                                            const std::vector<Region>& regions)
 {
     return [&g, &regions](const Point& x) {
         Real f = std::numeric_limits<Real>::max();
@@ -79,10 +84,13 @@ std::function<Real(const Point&)> outsideOf(const CaseGeometry& g, const std::ve
 }
 
 /// 1 beside a disturbance of the lattice, 0 from `reach` on.
-Real loosened(Real distance, Real reach) { return std::clamp(2 * (1 - distance / reach), 0.0, 1.0); }
+Real loosened(Real distance, Real reach)
+{
+    return std::clamp(2 * (1 - distance / reach), 0.0, 1.0);
+}
 
-/// Free where no lattice fits; a lattice or rows give way within a few spacings of surfaces that cut it and
-/// of parts that are packed or of another porosity.
+/// Free where no lattice fits; a lattice or rows give way within a few spacings of surfaces that
+/// cut it and of parts that are packed or of another porosity.
 std::vector<Real> mobilityOf(const Laid& laid, Real spacing)
 {
     const Real reach = 5 * spacing;
@@ -95,7 +103,8 @@ std::vector<Real> mobilityOf(const Laid& laid, Real spacing)
         if (!part.isBoxes())
             mobility[i] = part.disturbance ? loosened(part.disturbance(laid.x[i]), 2 * reach) : 1;
         for (std::size_t p = 0; p < laid.parts.size() && mobility[i] < 1; ++p) {
-            if (p == own || (laid.parts[p].isBoxes() && laid.porosity[p] == laid.porosity[own])) continue;
+            if (p == own || (laid.parts[p].isBoxes() && laid.porosity[p] == laid.porosity[own]))
+                continue;
             const Index j = byPart[p].nearest(laid.x[i], reach);
             if (j < 0) continue;
             mobility[i] = std::max(mobility[i], loosened(norm(byPart[p][j] - laid.x[i]), reach));
@@ -105,11 +114,13 @@ std::vector<Real> mobilityOf(const Laid& laid, Real spacing)
 }
 
 template <class Porosity>
-void packLaid(Laid& laid, const CaseGeometry& g, std::function<Real(const Point&)> outside, Porosity&& porosity)
+void packLaid(Laid& laid, const CaseGeometry& g, std::function<Real(const Point&)> outside,
+              Porosity&& porosity)
 {
-    const PackingTask task{g, porosity, std::move(outside),
-                           [&laid](std::size_t i, const Point& x) { return laid.parts[laid.part[i]].distance(x); },
-                           mobilityOf(laid, g.spacing)};
+    const PackingTask task{
+        g, porosity, std::move(outside),
+        [&laid](std::size_t i, const Point& x) { return laid.parts[laid.part[i]].distance(x); },
+        mobilityOf(laid, g.spacing)};
     pack(task, laid.x);
 }
 
@@ -119,10 +130,12 @@ const ZonePorosity& zoneOf(const SoilRegion& region, const std::vector<ZonePoros
     std::vector<std::string> names;
     for (const ZonePorosity& z : zones) names.push_back(z.name);
     const std::string near = nearestName(region.zone, names);
-    throw FatalIOError(fmt::format("the soil region {} is of zone {}, which constant/porousZones does not "
-                                   "have{}\n\nIts zones are:\n\n{}", region.name, region.zone,
-                                   near.empty() ? "" : fmt::format("; did you mean {}?", near), listOf(names)),
-                       region.at.file, region.at.line);
+    throw FatalIOError(
+        fmt::format("the soil region {} is of zone {}, which constant/porousZones does not "
+                    "have{}\n\nIts zones are:\n\n{}",
+                    region.name, region.zone,
+                    near.empty() ? "" : fmt::format("; did you mean {}?", near), listOf(names)),
+        region.at.file, region.at.line);
 }
 
 /// The points of region k.
@@ -147,7 +160,8 @@ Laid laySoil(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
             const std::vector<Point> points = pointsIn(part, g, clearCount(part, g), g.spacing);
             laid.add(std::move(part), k, eps, points);
         }
-        if (laid.x.size() == before) failNoRoom("soil", region.name, volume, g.spacing, g.dimension, region.at);
+        if (laid.x.size() == before)
+            failNoRoom("soil", region.name, volume, g.spacing, g.dimension, region.at);
     }
     return laid;
 }
@@ -163,12 +177,15 @@ Laid layWater(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
         for (RegionPart& part : partsOf(g, *region.shape, shapesBefore(g.water, k), soils)) {
             bulk += part.volume;
             const Real eps = part.partner < 0 ? 1 : zoneOf(g.soil[part.partner], zones).porosity;
-            const std::int64_t count =
-                part.partner < 0 ? clearCount(part, g) : std::llround(eps * part.volume / g.cellVolume());
-            const auto points = pointsIn(part, g, count, g.spacing / std::pow(eps, 1.0 / g.dimension));
+            const std::int64_t count = part.partner < 0
+                                           ? clearCount(part, g)
+                                           : std::llround(eps * part.volume / g.cellVolume());
+            const auto points =
+                pointsIn(part, g, count, g.spacing / std::pow(eps, 1.0 / g.dimension));
             laid.add(std::move(part), k, eps, points);
         }
-        if (laid.x.size() == before) failNoRoom("water", region.name, bulk, g.spacing, g.dimension, region.at);
+        if (laid.x.size() == before)
+            failNoRoom("water", region.name, bulk, g.spacing, g.dimension, region.at);
     }
     return laid;
 }
@@ -188,22 +205,25 @@ SoilParticles fillSoil(const CaseGeometry& g, const std::vector<ZonePorosity>& z
         soil.parts.push_back({region.name, region.zone, laid.parts[p].volume, count[p]});
     }
     for (std::size_t k = 0; k < g.soil.size(); ++k)
-        checkInside(g, pointsOfRegion(laid, k), "soil", g.soil[k].name, *g.soil[k].shape, g.soil[k].at);
+        checkInside(g, pointsOfRegion(laid, k), "soil", g.soil[k].name, *g.soil[k].shape,
+                    g.soil[k].at);
     soil.x = laid.x;
     for (std::size_t part : laid.part) {
         const ZonePorosity& zone = zoneOf(g.soil[laid.region[part]], zones);
         soil.zone.push_back(static_cast<Index>(&zone - zones.data()));
-        soil.solidVolume.push_back((1 - zone.porosity) * laid.parts[part].volume / static_cast<Real>(count[part]));
+        soil.solidVolume.push_back((1 - zone.porosity) * laid.parts[part].volume /
+                                   static_cast<Real>(count[part]));
     }
     return soil;
 }
 
-WaterParticles fillWater(const CaseGeometry& g, const std::vector<ZonePorosity>& zones, const WallParticles& walls,
-                         const SoilParticles& soil)
+WaterParticles fillWater(const CaseGeometry& g, const std::vector<ZonePorosity>& zones,
+                         const WallParticles& walls, const SoilParticles& soil)
 {
     Laid laid = layWater(g, zones);
     const SoilField field(g, soil, walls);
-    packLaid(laid, g, outsideOf(g, g.water), [&field](const Point& x) { return field.porosity(x); });
+    packLaid(laid, g, outsideOf(g, g.water),
+             [&field](const Point& x) { return field.porosity(x); });
 
     WaterParticles water;
     for (std::size_t p = 0; p < laid.parts.size(); ++p) {
@@ -219,7 +239,8 @@ WaterParticles fillWater(const CaseGeometry& g, const std::vector<ZonePorosity>&
         water.velocity.push_back(g.water[k].velocity ? g.water[k].velocity(laid.x[i]) : Point{});
     }
     for (std::size_t k = 0; k < g.water.size(); ++k)
-        checkInside(g, pointsOfRegion(laid, k), "water", g.water[k].name, *g.water[k].shape, g.water[k].at);
+        checkInside(g, pointsOfRegion(laid, k), "water", g.water[k].name, *g.water[k].shape,
+                    g.water[k].at);
     return water;
 }
 

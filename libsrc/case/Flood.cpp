@@ -15,7 +15,7 @@ std::array<bool, 6> openFaces(const CaseGeometry& g)
         const auto box = wall.shape().box();
         if (!box) continue;
         for (int face : wall.openFaces()) {
-            Point outward;   // in the frame of the box
+            Point outward;  // in the frame of the box
             outward[face / 2] = face % 2 ? 1 : -1;
             const Point n = box->rotation * outward;
             for (int d = 0; d < g.dimension; ++d)
@@ -53,14 +53,17 @@ Flood::Cell Flood::cellOf(const Point& x) const
 {
     Cell c{0, 0, 0};
     for (int d = 0; d < g_.dimension; ++d)
-        c[d] = std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor((x[d] - g_.domain.min[d]) / size_[d])), 0, count_[d] - 1);
+        c[d] = std::clamp<std::int64_t>(
+            static_cast<std::int64_t>(std::floor((x[d] - g_.domain.min[d]) / size_[d])), 0,
+            count_[d] - 1);
     return c;
 }
 
 Point Flood::centre(const Cell& c) const
 {
     Point x;
-    for (int d = 0; d < g_.dimension; ++d) x[d] = g_.domain.min[d] + (static_cast<Real>(c[d]) + 0.5) * size_[d];
+    for (int d = 0; d < g_.dimension; ++d)
+        x[d] = g_.domain.min[d] + (static_cast<Real>(c[d]) + 0.5) * size_[d];
     return x;
 }
 
@@ -89,7 +92,7 @@ void Flood::start(const std::vector<Point>& water)
     const auto reach = static_cast<std::int64_t>(std::ceil(2 * clearance_ / g_.spacing)) + 2;
     for (const Point& x : water) {
         const Cell home = cellOf(x);
-        if (visited_[number(home)]) continue;   // another particle began there
+        if (visited_[number(home)]) continue;  // another particle began there
         const std::int64_t reachZ = g_.dimension == 3 ? reach : 0;
         for (std::int64_t k = -reachZ; k <= reachZ; ++k)
             for (std::int64_t j = -reach; j <= reach; ++j)

@@ -7,16 +7,17 @@
 
 namespace isph {
 
-/// The cells of d0/2 in the domain that are connected with water through passages wider than a width, no
-/// higher than the water stands.
+/// The cells of d0/2 in the domain that are connected with water through passages wider than a
+/// width, no higher than the water stands.
 class Flood {
 public:
     /// up: unit vector against gravity, zero where there is none (then nothing bounds the height).
-    Flood(const CaseGeometry& geometry, const std::vector<Point>& water, const Point& up, Real passage);
+    Flood(const CaseGeometry& geometry, const std::vector<Point>& water, const Point& up,
+          Real passage);
 
     bool reached(const Point& x) const;
-    /// The first place found where water reaches a face of the domain that is neither periodic nor the open
-    /// face of a box; nullopt: it stays within.
+    /// The first place found where water reaches a face of the domain that is neither periodic nor
+    /// the open face of a box; nullopt: it stays within.
     std::optional<Point> leak() const { return leak_; }
 
 private:
@@ -36,7 +37,7 @@ private:
     Point size_;
     std::vector<char> visited_;
     std::vector<Cell> front_;
-    std::array<bool, 6> faceOpen_{};   ///< 2 axis + (0 low, 1 high)
+    std::array<bool, 6> faceOpen_{};  ///< 2 axis + (0 low, 1 high)
     std::optional<Point> leak_;
 };
 

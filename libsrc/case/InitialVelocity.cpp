@@ -49,7 +49,8 @@ VelocityField readVelocity(const Dictionary& dict)
     const auto parsed = std::make_shared<Expressions>(dict, texts);
     return [parsed](const Point& x) {
         parsed->at = x;
-        return Point{{parsed->parser[0].Eval(), parsed->parser[1].Eval(), parsed->parser[2].Eval()}};
+        return Point{
+            {parsed->parser[0].Eval(), parsed->parser[1].Eval(), parsed->parser[2].Eval()}};
     };
 }
 

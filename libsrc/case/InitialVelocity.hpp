@@ -5,8 +5,8 @@
 
 namespace isph {
 
-/// The entry `velocity` of a water region: (1 0 0) or ("sin(pi*x)" "0" "0"), expressions of x, y, z [m]
-/// in m/s; empty where it is absent. Throws FatalIOError with muParser's message.
+/// The entry `velocity` of a water region: (1 0 0) or ("sin(pi*x)" "0" "0"), expressions of x, y, z
+/// [m] in m/s; empty where it is absent. Throws FatalIOError with muParser's message.
 VelocityField readVelocity(const Dictionary& dict);
 
 }  // namespace isph

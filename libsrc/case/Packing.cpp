@@ -11,22 +11,29 @@ namespace isph {
 
 namespace {
 
-constexpr Real smoothing = 1.5;      // h over the local spacing
-constexpr Real rate = 0.15;          // c
-constexpr Real evenness = 0.3;       // e: orders the particles
-constexpr Real stiffness = 4;        // K: evens out the kernel sum where the spacing varies
-constexpr Real longestStep = 0.1;    // in local spacings
-constexpr Real settled = 3e-3;       // in local spacings
+constexpr Real smoothing = 1.5;    // h over the local spacing
+constexpr Real rate = 0.15;        // c
+constexpr Real evenness = 0.3;     // e: orders the particles
+constexpr Real stiffness = 4;      // K: evens out the kernel sum where the spacing varies
+constexpr Real longestStep = 0.1;  // in local spacings
+constexpr Real settled = 3e-3;     // in local spacings
 constexpr int mostSweeps = 200;
 constexpr int sweepsPerSearch = 10;
-constexpr Real skin = 0.5;           // of d0: how far two particles may approach between searches
-constexpr Real margin = 0.4;         // in local spacings: what a particle keeps from the faces of its part
+constexpr Real skin = 0.5;    // of d0: how far two particles may approach between searches
+constexpr Real margin = 0.4;  // in local spacings: what a particle keeps from the faces of its part
 
 class Packing {
 public:
     Packing(const PackingTask& task, std::vector<Point>& x)
-        : task_(task), g_(task.geometry), d0_(g_.spacing), kernel_{g_.dimension}, x_(x), spacing_(x.size(), d0_),
-          volume_(x.size(), g_.cellVolume()), excess_(x.size(), 0), latticeSum_(latticeSum())
+        : task_(task),
+          g_(task.geometry),
+          d0_(g_.spacing),
+          kernel_{g_.dimension},
+          x_(x),
+          spacing_(x.size(), d0_),
+          volume_(x.size(), g_.cellVolume()),
+          excess_(x.size(), 0),
+          latticeSum_(latticeSum())
     {
         for (std::size_t i = 0; i < x_.size(); ++i)
             if (task_.mobility[i] > 0) mobile_.push_back(i);
@@ -56,7 +63,8 @@ private:
         for (int k = -k0; k <= k0; ++k)
             for (int j = -m; j <= m; ++j)
                 for (int i = -m; i <= m; ++i)
-                    sum += kernel_.w(std::sqrt(static_cast<Real>(i * i + j * j + k * k)), smoothing);
+                    sum +=
+                        kernel_.w(std::sqrt(static_cast<Real>(i * i + j * j + k * k)), smoothing);
         return sum;
     }
 
@@ -71,8 +79,9 @@ private:
         for (Real s : spacing_) widest_ = std::max(widest_, s);
     }
 
-    /// The space around the mobile particles that is not theirs to fill, as points with volumes: cells of d0
-    /// that lie outside as a whole, so that a lattice goes on in them, and parts of others by halves.
+    /// The space around the mobile particles that is not theirs to fill, as points with volumes:
+    /// cells of d0 that lie outside as a whole, so that a lattice goes on in them, and parts of
+    /// others by halves.
     void layOutside()
     {
         BoundingBox box;
@@ -81,7 +90,7 @@ private:
         PointGrid mobile(reach);
         for (std::size_t i : mobile_) mobile.add(x_[i]);
         box = box.grown(reach, g_.dimension);
-        for (int d = 0; d < g_.dimension; ++d) {   // whole cells from the corner of the domain
+        for (int d = 0; d < g_.dimension; ++d) {  // whole cells from the corner of the domain
             box.min[d] = g_.domain.min[d] + std::floor((box.min[d] - g_.domain.min[d]) / d0_) * d0_;
             box.max[d] = box.min[d] + std::ceil((box.max[d] - box.min[d]) / d0_) * d0_;
         }
@@ -118,33 +127,40 @@ private:
     void search()
     {
         images_ = std::make_unique<PeriodicPoints>(g_, x_, 2 * smoothing * widest_ + d0_);
-        const PointGrid particles(smoothing * widest_, images_->x), outside(smoothing * widest_, outside_);
+        const PointGrid particles(smoothing * widest_, images_->x),
+            outside(smoothing * widest_, outside_);
         near_.resize(mobile_.size());
         nearOutside_.resize(mobile_.size());
         parallelForDynamic(mobile_.size(), [&](Index m) {
             const std::size_t i = mobile_[m];
             near_[m].clear();
             nearOutside_[m].clear();
-            particles.forEachWithin(x_[i], smoothing * (spacing_[i] + widest_) + skin * d0_, [&](Index k, const Point& r) {
-                const Index j = images_->owner[k];
-                const Real support = smoothing * (spacing_[i] + spacing_[j]) + skin * d0_;
-                if (normSqr(r) < sqr(support) && (j != static_cast<Index>(i) || normSqr(r) > 0)) near_[m].push_back(k);
-            });
+            particles.forEachWithin(
+                x_[i], smoothing * (spacing_[i] + widest_) + skin * d0_,
+                [&](Index k, const Point& r) {
+                    const Index j = images_->owner[k];
+                    const Real support = smoothing * (spacing_[i] + spacing_[j]) + skin * d0_;
+                    if (normSqr(r) < sqr(support) && (j != static_cast<Index>(i) || normSqr(r) > 0))
+                        near_[m].push_back(k);
+                });
             outside.forEachWithin(x_[i], 2 * smoothing * spacing_[i] + skin * d0_,
                                   [&](Index k, const Point&) { nearOutside_[m].push_back(k); });
         });
     }
 
-    /// f(j or -1 for space outside, volume, vector to it, h_ij) for what is within the support of particle m.
+    /// f(j or -1 for space outside, volume, vector to it, h_ij) for what is within the support of
+    /// particle m.
     template <class F>
     void forEachNear(std::size_t m, F&& f) const
     {
         const std::size_t i = mobile_[m];
         for (Index k : near_[m]) {
             const Index j = images_->owner[k];
-            f(j, volume_[j], x_[j] + images_->shift[k] - x_[i], 0.5 * smoothing * (spacing_[i] + spacing_[j]));
+            f(j, volume_[j], x_[j] + images_->shift[k] - x_[i],
+              0.5 * smoothing * (spacing_[i] + spacing_[j]));
         }
-        for (Index k : nearOutside_[m]) f(-1, outsideVolume_[k], outside_[k] - x_[i], smoothing * spacing_[i]);
+        for (Index k : nearOutside_[m])
+            f(-1, outsideVolume_[k], outside_[k] - x_[i], smoothing * spacing_[i]);
     }
 
     /// How much sum_j V_j W_ij exceeds that of a lattice.
@@ -184,8 +200,8 @@ private:
         return unit(n);
     }
 
-    /// Moves i by `by`, but nearer than `margin` to the faces of its part only along them; one that is too
-    /// near goes back inwards.
+    /// Moves i by `by`, but nearer than `margin` to the faces of its part only along them; one that
+    /// is too near goes back inwards.
     Point moved(std::size_t i, Point by) const
     {
         const Real keep = margin * spacing_[i], before = task_.own(i, x_[i]);
@@ -235,6 +251,9 @@ private:
 
 }  // namespace
 
-void pack(const PackingTask& task, std::vector<Point>& x) { Packing(task, x).run(); }
+void pack(const PackingTask& task, std::vector<Point>& x)
+{
+    Packing(task, x).run();
+}
 
 }  // namespace isph

@@ -10,7 +10,8 @@ struct PackingTask {
     const CaseGeometry& geometry;
     /// Porosity, so that the spacing at x is d0/porosity^(1/D).
     std::function<Real(const Point&)> porosity;
-    /// Distance to what all particles together fill, positive outside: space there counts as filled.
+    /// Distance to what all particles together fill, positive outside: space there counts as
+    /// filled.
     std::function<Real(const Point&)> outside;
     /// Distance to the part that particle i belongs to, negative inside: it does not leave it.
     std::function<Real(std::size_t i, const Point&)> own;
@@ -19,10 +20,10 @@ struct PackingTask {
 };
 
 /// Sweeps of  x_i -= c h_i^2 sum_j V_j [e + K (n_i + n_j)] gradW_ij,  V_j = d0^D/porosity_j,
-/// n_i = sum_j V_j W_ij less that of a lattice, over particles and over the space outside (by midpoints), until
-/// the largest step is 3e-3 of a spacing or 200 sweeps are done. The term e orders the particles; alone it
-/// leaves the sum uneven by 3 % where the spacing varies, which the term K repairs.
-/// Threaded, the same bits for any number of threads.
+/// n_i = sum_j V_j W_ij less that of a lattice, over particles and over the space outside (by
+/// midpoints), until the largest step is 3e-3 of a spacing or 200 sweeps are done. The term e
+/// orders the particles; alone it leaves the sum uneven by 3 % where the spacing varies, which the
+/// term K repairs. Threaded, the same bits for any number of threads.
 void pack(const PackingTask& task, std::vector<Point>& x);
 
 }  // namespace isph

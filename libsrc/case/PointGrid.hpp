@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points sorted into cells, for the searches that lay particles out (the solver has lists of pairs).
+// Points sorted into cells, for the searches that lay particles out (the solver has lists of
+// pairs).
 #pragma once
 #include "case/Shape.hpp"
 
@@ -27,7 +28,8 @@ public:
     template <class F>
     void forEachWithin(const Point& x, Real radius, F&& f) const
     {
-        const auto low = at(x - Point{{radius, radius, radius}}), high = at(x + Point{{radius, radius, radius}});
+        const auto low = at(x - Point{{radius, radius, radius}}),
+                   high = at(x + Point{{radius, radius, radius}});
         for (std::int64_t k = low[2]; k <= high[2]; ++k)
             for (std::int64_t j = low[1]; j <= high[1]; ++j)
                 for (std::int64_t i = low[0]; i <= high[0]; ++i) {
@@ -46,7 +48,8 @@ public:
         Index best = -1;
         Real least = sqr(radius) * (1 + 1e-12);
         forEachWithin(x, radius, [&](Index i, const Point& r) {
-            if (normSqr(r) < least || (normSqr(r) == least && i < best)) least = normSqr(r), best = i;
+            if (normSqr(r) < least || (normSqr(r) == least && i < best))
+                least = normSqr(r), best = i;
         });
         return best;
     }
@@ -61,7 +64,7 @@ private:
     }
     static std::uint64_t key(const Cell& c)
     {
-        std::uint64_t k = 0;   // 21 bits a direction
+        std::uint64_t k = 0;  // 21 bits a direction
         for (int d = 0; d < 3; ++d) k = k << 21 | (static_cast<std::uint64_t>(c[d]) & 0x1fffff);
         return k;
     }

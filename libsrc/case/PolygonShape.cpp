@@ -10,8 +10,8 @@ PolygonShape::PolygonShape(std::vector<Edge> edges, int dimension, Real zMin, Re
 {
 }
 
-std::unique_ptr<PolygonShape> PolygonShape::through(const std::vector<Vec<2>>& points, int dimension,
-                                                    Real zMin, Real zMax)
+std::unique_ptr<PolygonShape> PolygonShape::through(const std::vector<Vec<2>>& points,
+                                                    int dimension, Real zMin, Real zMax)
 {
     std::vector<Edge> edges = loopOf(points);
     if (enclosedArea(edges) < 0)
@@ -37,13 +37,15 @@ Real PolygonShape::signedDistance(const Point& x) const
     const Real plane = footInPlane(x).signedDistance;
     if (dimension_ == 2) return plane;
     const Real end = std::max(zMin_ - x[2], x[2] - zMax_);
-    return std::hypot(std::max(plane, 0.0), std::max(end, 0.0)) + std::min(std::max(plane, end), 0.0);
+    return std::hypot(std::max(plane, 0.0), std::max(end, 0.0)) +
+           std::min(std::max(plane, end), 0.0);
 }
 
 Point PolygonShape::nearestPoint(const Point& x) const
 {
     const Foot foot = footInPlane(x);
-    const Point side{{foot.point[0], foot.point[1], dimension_ == 2 ? 0 : std::clamp(x[2], zMin_, zMax_)}};
+    const Point side{
+        {foot.point[0], foot.point[1], dimension_ == 2 ? 0 : std::clamp(x[2], zMin_, zMax_)}};
     if (dimension_ == 2 || foot.signedDistance > 0) return side;
     const Real end = std::max(zMin_ - x[2], x[2] - zMax_);
     if (end < foot.signedDistance) return side;

@@ -20,7 +20,10 @@ public:
     std::vector<Edge> contour(Real) const override { return edges_; }
 
 private:
-    struct Foot { Vec<2> point; Real signedDistance; };
+    struct Foot {
+        Vec<2> point;
+        Real signedDistance;
+    };
     Foot footInPlane(const Point& x) const;
 
     std::vector<Edge> edges_;

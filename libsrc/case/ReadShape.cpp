@@ -64,7 +64,8 @@ Schema roundKeys(int)
 
 Made makeSphere(const Dictionary& dict, const ShapeContext& context)
 {
-    return std::make_unique<Sphere>(pointOf(dict, "centre"), positive(dict, "radius"), context.dimension);
+    return std::make_unique<Sphere>(pointOf(dict, "centre"), positive(dict, "radius"),
+                                    context.dimension);
 }
 
 Made makeCircle(const Dictionary& dict, const ShapeContext& context)
@@ -77,7 +78,8 @@ Made makeCircle(const Dictionary& dict, const ShapeContext& context)
 Schema cylinderKeys(int dimension)
 {
     if (dimension == 2) return roundKeys(2);
-    return {length3("point1", "centre of one end [m]"), length3("point2", "centre of the other end [m]"),
+    return {length3("point1", "centre of one end [m]"),
+            length3("point2", "centre of the other end [m]"),
             Key::scalar("radius", "radius [m]").units(dims::length).above(0)};
 }
 
@@ -102,15 +104,20 @@ Made makeHalfSpace(const Dictionary& dict, const ShapeContext& context)
     if (!(norm(n) > 0)) dict.fail("normal", "the normal of a half-space must not be zero");
     const Real margin = norm(context.domain.size());
     return std::make_unique<HalfSpace>(pointOf(dict, "point"), n,
-                                       context.domain.grown(margin, context.dimension), context.dimension);
+                                       context.domain.grown(margin, context.dimension),
+                                       context.dimension);
 }
 
 Schema polygonKeys(int dimension)
 {
     Schema keys{Key::list("points", "corners in order, ((x y) (x y) ...) [m]").units(dims::length)};
     if (dimension == 3) {
-        keys.add(Key::scalar("zMin", "lower end; the domain's by default [m]").units(dims::length).mayBeAbsent());
-        keys.add(Key::scalar("zMax", "upper end; the domain's by default [m]").units(dims::length).mayBeAbsent());
+        keys.add(Key::scalar("zMin", "lower end; the domain's by default [m]")
+                     .units(dims::length)
+                     .mayBeAbsent());
+        keys.add(Key::scalar("zMax", "upper end; the domain's by default [m]")
+                     .units(dims::length)
+                     .mayBeAbsent());
     }
     return keys;
 }
@@ -128,7 +135,8 @@ std::vector<Vec<2>> planePoints(const Dictionary& dict, std::string_view key)
         } else if (token.text == ")") {
             if (--depth == 1) {
                 if (group.size() < 2 || group.size() > 3)
-                    dict.fail(key, fmt::format("a point of {} numbers; (x y) is expected", group.size()));
+                    dict.fail(
+                        key, fmt::format("a point of {} numbers; (x y) is expected", group.size()));
                 points.push_back({{group[0], group[1]}});
             }
         } else if (depth == 2 && token.kind == Token::Kind::number) {
@@ -147,22 +155,28 @@ Made makePolygon(const Dictionary& dict, const ShapeContext& context)
     const std::vector<Edge> loop = loopOf(points);
     for (const Edge& e : loop)
         if (!(e.length() > 0))
-            dict.fail("points", fmt::format("the point ({} {}) stands twice in a row; the last point is "
-                                            "joined to the first by itself", e.a[0], e.a[1]));
-    if (crossesItself(loop)) dict.fail("points", "the edges of the polygon cross or touch one another");
+            dict.fail("points",
+                      fmt::format("the point ({} {}) stands twice in a row; the last point is "
+                                  "joined to the first by itself",
+                                  e.a[0], e.a[1]));
+    if (crossesItself(loop))
+        dict.fail("points", "the edges of the polygon cross or touch one another");
     const Real zMin = dict.getOrDefault("zMin", context.domain.min[2], dims::length);
     const Real zMax = dict.getOrDefault("zMax", context.domain.max[2], dims::length);
     if (context.dimension == 3 && !(zMax > zMin))
-        dict.fail("zMax", fmt::format("the polygon has no extent along z: zMin {} and zMax {}", zMin, zMax));
+        dict.fail("zMax", fmt::format("the polygon has no extent along z: zMin {} and zMax {}",
+                                      zMin, zMax));
     return PolygonShape::through(points, context.dimension, zMin, zMax);
 }
 
 Schema surfaceKeys(int dimension)
 {
-    Schema keys{Key::text("file", "closed surface in STL, OBJ or VTP, sought from the case's folder")};
+    Schema keys{
+        Key::text("file", "closed surface in STL, OBJ or VTP, sought from the case's folder")};
     if (dimension == 2)
         keys.add(Key::scalar("z", "height of the section; by default the middle of the surface [m]")
-                     .units(dims::length).mayBeAbsent());
+                     .units(dims::length)
+                     .mayBeAbsent());
     return keys;
 }
 
@@ -181,7 +195,10 @@ Made makeSurface(const Dictionary& dict, const ShapeContext& context)
     }
 }
 
-Schema compositeKeys(int) { return {Key::dictionary("shapes", "the shapes by name, in order")}; }
+Schema compositeKeys(int)
+{
+    return {Key::dictionary("shapes", "the shapes by name, in order")};
+}
 
 Made makeComposite(const Dictionary& dict, const ShapeContext& context, CompositeShape::Kind kind)
 {
@@ -227,7 +244,8 @@ Made rotated(Made shape, const Dictionary& dict, const ShapeContext& context)
         dict.fail("axis", "in two dimensions the axis of a rotation is (0 0 1)");
     const Real angle = keys.get<Real>(dict, "angle") * std::numbers::pi / 180;
     return std::make_unique<RotatedShape>(std::move(shape), rotationAbout(axis, angle),
-                                          Point{keys.get<Vector3>(dict, "origin")}, context.dimension);
+                                          Point{keys.get<Vector3>(dict, "origin")},
+                                          context.dimension);
 }
 
 }  // namespace
@@ -244,7 +262,8 @@ Schema shapeKeys(const std::string& type, int dimension)
     Schema keys{Key::word("type", "the kind of shape").oneOf(shapeTypes())};
     const Schema own = types().at(type).keys(dimension);
     for (const Key& key : own.keys()) keys.add(key);
-    keys.add(Key::dictionary("rotation", "turns the shape: angle [degrees], axis, origin").mayBeAbsent());
+    keys.add(Key::dictionary("rotation", "turns the shape: angle [degrees], axis, origin")
+                 .mayBeAbsent());
     return keys;
 }
 
@@ -255,9 +274,10 @@ std::unique_ptr<Shape> readShape(const Dictionary& dict, const ShapeContext& con
     const auto type = types().find(name);
     if (type == types().end()) {
         const std::string near = nearestName(name, shapeTypes());
-        dict.fail("type", fmt::format("Unknown shape type {}{}\n\nValid shape types are:\n\n{}", name,
-                                      near.empty() ? "" : fmt::format("; did you mean {}?", near),
-                                      listOf(shapeTypes())));
+        dict.fail("type",
+                  fmt::format("Unknown shape type {}{}\n\nValid shape types are:\n\n{}", name,
+                              near.empty() ? "" : fmt::format("; did you mean {}?", near),
+                              listOf(shapeTypes())));
     }
     Schema keys = shapeKeys(name, context.dimension);
     for (const Key& key : others) keys.add(key);

@@ -7,10 +7,14 @@ namespace isph {
 
 namespace {
 
-constexpr Real allowedDepth = 0.02;     // of d0: round-off and the chords of arcs
-constexpr Real leastClearance = 0.2;    // of d0: a particle that belongs beside a wall keeps about 0.5
+constexpr Real allowedDepth = 0.02;  // of d0: round-off and the chords of arcs
+constexpr Real leastClearance =
+    0.2;  // of d0: a particle that belongs beside a wall keeps about 0.5
 
-std::string text(const Point& x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x[0], x[1], x[2]); }
+std::string text(const Point& x)
+{
+    return fmt::format("({:.6g} {:.6g} {:.6g})", x[0], x[1], x[2]);
+}
 
 const Wall& deepestWall(const CaseGeometry& g, const Point& x)
 {
@@ -20,26 +24,31 @@ const Wall& deepestWall(const CaseGeometry& g, const Point& x)
     return *deepest;
 }
 
-[[noreturn]] void failInWall(const CaseGeometry& g, const Point& x, Real depth, const std::string& kind,
-                             const std::string& name, const Location& at)
+[[noreturn]] void failInWall(const CaseGeometry& g, const Point& x, Real depth,
+                             const std::string& kind, const std::string& name, const Location& at)
 {
     const Wall& wall = deepestWall(g, x);
     const std::string side = wall.fluidInside() ? "outside" : "inside";
     throw FatalIOError(
-        fmt::format("the {} region {} overlaps the wall {} ({} line {}): at {} it is {:.3g} m inside the wall's "
-                    "body\nThe body is what lies {} the wall's shape (fluid {}); take the body out of the "
-                    "region with a difference, or turn the wall round with fluid {}.",
-                    kind, name, wall.name(), wall.location().file, wall.location().line, text(x), depth, side,
-                    wall.fluidInside() ? "inside" : "outside", side),
+        fmt::format(
+            "the {} region {} overlaps the wall {} ({} line {}): at {} it is {:.3g} m inside the "
+            "wall's "
+            "body\nThe body is what lies {} the wall's shape (fluid {}); take the body out of the "
+            "region with a difference, or turn the wall round with fluid {}.",
+            kind, name, wall.name(), wall.location().file, wall.location().line, text(x), depth,
+            side, wall.fluidInside() ? "inside" : "outside", side),
         at.file, at.line);
 }
 
 [[noreturn]] void failOutside(const CaseGeometry& g, const Point& x, const std::string& kind,
                               const std::string& name, const Location& at)
 {
-    throw FatalIOError(fmt::format("the {} region {} reaches outside the domain, for instance to {}; the domain is "
-                                   "{} to {}", kind, name, text(x), text(g.domain.min), text(g.domain.max)),
-                       at.file, at.line);
+    throw FatalIOError(
+        fmt::format(
+            "the {} region {} reaches outside the domain, for instance to {}; the domain is "
+            "{} to {}",
+            kind, name, text(x), text(g.domain.min), text(g.domain.max)),
+        at.file, at.line);
 }
 
 }  // namespace
@@ -61,11 +70,12 @@ void checkInside(const CaseGeometry& g, const std::vector<Point>& points, const 
             failInWall(g, x, 0.5 * d0 - f, kind, name, at);
     // slivers that hold no particle
     const Real step = d0 / (g.dimension == 2 ? 4 : 2);
-    forEachCell(intersection(shape.bounds(), g.domain), g.dimension, step, [&](const Point& x, Real) {
-        if (shape.signedDistance(x) > -allowedDepth * d0) return;
-        const Real f = g.bodyDistance(x);
-        if (f < -allowedDepth * d0) failInWall(g, x, -f, kind, name, at);
-    });
+    forEachCell(intersection(shape.bounds(), g.domain), g.dimension, step,
+                [&](const Point& x, Real) {
+                    if (shape.signedDistance(x) > -allowedDepth * d0) return;
+                    const Real f = g.bodyDistance(x);
+                    if (f < -allowedDepth * d0) failInWall(g, x, -f, kind, name, at);
+                });
 }
 
 }  // namespace isph

@@ -5,9 +5,11 @@
 
 namespace isph {
 
-/// errors  FatalIOError at the region: the shape or one of its particles lies outside the domain or in
+/// errors  FatalIOError at the region: the shape or one of its particles lies outside the domain or
+/// in
 ///         the body of a wall (names the wall, the place and how deep)
-void checkInside(const CaseGeometry& geometry, const std::vector<Point>& points, const std::string& kind,
-                 const std::string& name, const Shape& shape, const Location& at);
+void checkInside(const CaseGeometry& geometry, const std::vector<Point>& points,
+                 const std::string& kind, const std::string& name, const Shape& shape,
+                 const Location& at);
 
 }  // namespace isph

@@ -9,7 +9,8 @@ namespace isph {
 
 namespace {
 
-std::vector<RegionPart> boxParts(const std::vector<BoxCell>& cells, int partners, const CaseGeometry& g)
+std::vector<RegionPart> boxParts(const std::vector<BoxCell>& cells, int partners,
+                                 const CaseGeometry& g)
 {
     std::vector<RegionPart> parts;
     for (int p = -1; p < partners; ++p) {
@@ -35,11 +36,14 @@ Real areaOf(const RegionPart& part, const CaseGeometry& g, const std::vector<con
     std::vector<Edge> edges = Box(g.domain.min, g.domain.max, 2).contour(0);
     for (const Shape* shape : shapes)
         for (const Edge& e : shape->contour(chord)) edges.push_back(e);
-    return enclosedArea(boundaryOf(cutAtCrossings(edges, 1e-7 * g.spacing), 10 * chord,
-                                   [&](const Vec<2>& x) { return part.distance({{x[0], x[1], 0}}) < 0; }));
+    return enclosedArea(
+        boundaryOf(cutAtCrossings(edges, 1e-7 * g.spacing), 10 * chord, [&](const Vec<2>& x) {
+            return part.distance({{x[0], x[1], 0}}) < 0;
+        }));
 }
 
-Real volumeOfPart(const RegionPart& part, const CaseGeometry& g, const std::vector<const Shape*>& shapes)
+Real volumeOfPart(const RegionPart& part, const CaseGeometry& g,
+                  const std::vector<const Shape*>& shapes)
 {
     if (g.dimension == 2) return areaOf(part, g, shapes);
     if (shapes.size() == 1 && shapes[0]->bounded())
@@ -49,7 +53,8 @@ Real volumeOfPart(const RegionPart& part, const CaseGeometry& g, const std::vect
 
 }  // namespace
 
-std::vector<RegionPart> partsOf(const CaseGeometry& g, const Shape& shape, const std::vector<const Shape*>& taken,
+std::vector<RegionPart> partsOf(const CaseGeometry& g, const Shape& shape,
+                                const std::vector<const Shape*>& taken,
                                 const std::vector<const Shape*>& partners)
 {
     const std::optional<OrientedBox> box = shape.box();
@@ -59,7 +64,8 @@ std::vector<RegionPart> partsOf(const CaseGeometry& g, const Shape& shape, const
 
     const auto own = [&shape, &g, taken](const Point& x) {
         Real f = shape.signedDistance(x);
-        if (!shape.bounded()) f = std::max(f, Box(g.domain.min, g.domain.max, g.dimension).signedDistance(x));
+        if (!shape.bounded())
+            f = std::max(f, Box(g.domain.min, g.domain.max, g.dimension).signedDistance(x));
         for (const Shape* other : taken) f = std::max(f, -other->signedDistance(x));
         return f;
     };
@@ -74,7 +80,8 @@ std::vector<RegionPart> partsOf(const CaseGeometry& g, const Shape& shape, const
             part.distance = [within, p = part.partner](const Point& x) { return within(p, x); };
         return parts;
     }
-    const BoundingBox whole = shape.bounded() ? shape.bounds() : intersection(shape.bounds(), g.domain);
+    const BoundingBox whole =
+        shape.bounded() ? shape.bounds() : intersection(shape.bounds(), g.domain);
     for (int p = -1; p < static_cast<int>(partners.size()); ++p) {
         RegionPart part;
         part.partner = p;
@@ -87,7 +94,8 @@ std::vector<RegionPart> partsOf(const CaseGeometry& g, const Shape& shape, const
         if (p < 0 && box)
             part.disturbance = [shapes](const Point& x) {
                 Real nearest = std::numeric_limits<Real>::max();
-                for (const Shape* other : shapes) nearest = std::min(nearest, std::fabs(other->signedDistance(x)));
+                for (const Shape* other : shapes)
+                    nearest = std::min(nearest, std::fabs(other->signedDistance(x)));
                 return nearest;
             };
         shapes.insert(shapes.begin(), &shape);
@@ -99,8 +107,8 @@ std::vector<RegionPart> partsOf(const CaseGeometry& g, const Shape& shape, const
 
 namespace {
 
-/// Points of a lattice over the bounds: aligned with the frame and fitted to it, else with the corner of
-/// the domain.
+/// Points of a lattice over the bounds: aligned with the frame and fitted to it, else with the
+/// corner of the domain.
 template <class F>
 void forEachLatticePoint(const RegionPart& part, const CaseGeometry& g, Real spacing, F&& f)
 {
@@ -115,7 +123,8 @@ void forEachLatticePoint(const RegionPart& part, const CaseGeometry& g, Real spa
     BoundingBox local;
     for (int corner = 0; corner < 8; ++corner) {
         Point x;
-        for (int d = 0; d < 3; ++d) x[d] = corner >> d & 1 ? part.bounds.max[d] : part.bounds.min[d];
+        for (int d = 0; d < 3; ++d)
+            x[d] = corner >> d & 1 ? part.bounds.max[d] : part.bounds.min[d];
         local.include(lattice.toLocal(x));
     }
     std::int64_t low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
@@ -128,17 +137,19 @@ void forEachLatticePoint(const RegionPart& part, const CaseGeometry& g, Real spa
             for (std::int64_t i = low[0]; i <= high[0]; ++i) {
                 const std::int64_t at[3] = {i, j, k};
                 Point x;
-                for (int d = 0; d < g.dimension; ++d) x[d] = (static_cast<Real>(at[d]) + 0.5) * step[d];
+                for (int d = 0; d < g.dimension; ++d)
+                    x[d] = (static_cast<Real>(at[d]) + 0.5) * step[d];
                 f(lattice.toGlobal(x));
             }
 }
 
 }  // namespace
 
-std::vector<Point> pointsIn(const RegionPart& part, const CaseGeometry& g, std::int64_t count, Real spacing)
+std::vector<Point> pointsIn(const RegionPart& part, const CaseGeometry& g, std::int64_t count,
+                            Real spacing)
 {
     std::vector<Point> points;
-    if (part.isBoxes()) {   // rounded sums, so that all boxes together have the number
+    if (part.isBoxes()) {  // rounded sums, so that all boxes together have the number
         Real filled = 0;
         std::int64_t placed = 0;
         for (const OrientedBox& box : part.boxes) {

@@ -9,28 +9,28 @@ namespace isph {
 
 /// The part of a region that one partner (a soil region) overlaps, or none does.
 struct RegionPart {
-    int partner = -1;                                ///< -1: none
-    Real volume = 0;                                 ///< [m^D]
-    std::vector<OrientedBox> boxes;                  ///< the part as boxes; empty: it is no sum of boxes
-    std::function<Real(const Point&)> distance;      ///< negative inside
+    int partner = -1;                ///< -1: none
+    Real volume = 0;                 ///< [m^D]
+    std::vector<OrientedBox> boxes;  ///< the part as boxes; empty: it is no sum of boxes
+    std::function<Real(const Point&)> distance;  ///< negative inside
     BoundingBox bounds;
-    std::optional<OrientedBox> frame;                ///< a box whose faces bound it, for the lattice
+    std::optional<OrientedBox> frame;  ///< a box whose faces bound it, for the lattice
     /// Distance to the surfaces that cut the lattice of the frame; none: no lattice fits anywhere.
     std::function<Real(const Point&)> disturbance;
 
     bool isBoxes() const { return !boxes.empty(); }
 };
 
-/// `shape` without `taken`, divided among `partners` (the first that holds a point has it), within the
-/// domain where the shape is not bounded. Volumes are exact for boxes, for 2-D shapes (arcs by chords of
-/// equal area) and for shapes alone; else by quadrature. Parts of no volume are left out.
+/// `shape` without `taken`, divided among `partners` (the first that holds a point has it), within
+/// the domain where the shape is not bounded. Volumes are exact for boxes, for 2-D shapes (arcs by
+/// chords of equal area) and for shapes alone; else by quadrature. Parts of no volume are left out.
 std::vector<RegionPart> partsOf(const CaseGeometry& geometry, const Shape& shape,
                                 const std::vector<const Shape*>& taken,
                                 const std::vector<const Shape*>& partners);
 
 /// `count` points in the part, even in box parts (see fillBox), else the `count` lattice points at
 /// `spacing` that lie deepest in it.
-std::vector<Point> pointsIn(const RegionPart& part, const CaseGeometry& geometry, std::int64_t count,
-                            Real spacing);
+std::vector<Point> pointsIn(const RegionPart& part, const CaseGeometry& geometry,
+                            std::int64_t count, Real spacing);
 
 }  // namespace isph

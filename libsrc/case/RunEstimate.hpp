@@ -14,7 +14,8 @@ struct ParticleNumbers {
 /// Particles within a support of `radius` in clear water.
 Real neighbourNumber(Real radius, Real spacing, int dimension);
 
-/// Memory of a run [bytes]: fields, pairs and matrix of the water, walls, soil, and the program itself.
+/// Memory of a run [bytes]: fields, pairs and matrix of the water, walls, soil, and the program
+/// itself.
 Real runMemory(const ParticleNumbers& numbers, Real neighbours);
 
 /// Wall time of a step [s] with so many threads.

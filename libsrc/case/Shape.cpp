@@ -42,7 +42,8 @@ Point Shape::normal(const Point& x) const
     const Point p = nearestPoint(x), away = x - p;
     const Real distance = norm(away), scale = 1e-9 * (1 + norm(p));
     if (distance > scale) return signedDistance(x) < 0 ? -unit(away) : unit(away);
-    // on the surface: the direction of growing distance, by central differences a little further out
+    // on the surface: the direction of growing distance, by central differences a little further
+    // out
     const Real step = 1e-6 * norm(bounds().size());
     Point gradient;
     for (int d = 0; d < 3; ++d) {

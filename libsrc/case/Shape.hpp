@@ -15,7 +15,7 @@
 
 namespace isph {
 
-using Point = Vec<3>;   // 2-D shapes are cross-sections in the plane z = 0
+using Point = Vec<3>;  // 2-D shapes are cross-sections in the plane z = 0
 
 struct BoundingBox {
     static constexpr Real far = std::numeric_limits<Real>::max();
@@ -33,7 +33,7 @@ BoundingBox intersection(const BoundingBox& a, const BoundingBox& b);
 /// A box in a frame of its own: x = origin + R (local coordinates in [0, length]).
 struct OrientedBox {
     Point origin;
-    Mat<3> rotation = Mat<3>::identity();   ///< columns are the box's axes
+    Mat<3> rotation = Mat<3>::identity();  ///< columns are the box's axes
     Point length;
 
     Point toGlobal(const Point& local) const { return origin + rotation * local; }
@@ -45,8 +45,9 @@ class Shape {
 public:
     virtual ~Shape() = default;
 
-    /// Distance to the surface, negative inside. Exact for the simple shapes; for unions, differences
-    /// and intersections its sign and zero are exact and |value| is at most the distance.
+    /// Distance to the surface, negative inside. Exact for the simple shapes; for unions,
+    /// differences and intersections its sign and zero are exact and |value| is at most the
+    /// distance.
     virtual Real signedDistance(const Point& x) const = 0;
     /// The point of the surface nearest to x.
     virtual Point nearestPoint(const Point& x) const = 0;
@@ -67,12 +68,13 @@ public:
 struct ShapeContext {
     int dimension = 2;
     BoundingBox domain;
-    std::filesystem::path caseDir;   ///< surfaces are sought from here
+    std::filesystem::path caseDir;  ///< surfaces are sought from here
 };
 
-/// The shape that `dict` describes: type box|circle|cylinder|sphere|polygon|halfSpace|surface|union|
-/// difference|intersection, its keys, and an optional rotation { angle; axis; origin; }.
-/// Keys named in `others` belong to the caller. Throws FatalIOError (unknown type or key, bad sizes).
+/// The shape that `dict` describes: type
+/// box|circle|cylinder|sphere|polygon|halfSpace|surface|union| difference|intersection, its keys,
+/// and an optional rotation { angle; axis; origin; }. Keys named in `others` belong to the caller.
+/// Throws FatalIOError (unknown type or key, bad sizes).
 std::unique_ptr<Shape> readShape(const Dictionary& dict, const ShapeContext& context,
                                  const std::vector<Key>& others = {});
 
@@ -81,8 +83,8 @@ std::vector<std::string> shapeTypes();
 /// The keys of a type, for lists and checks.
 Schema shapeKeys(const std::string& type, int dimension);
 
-/// Midpoint quadrature of  int_bounds clamp(1/2 - f(x)/step, 0, 1) dx: the volume where f < 0, with f a
-/// distance, to second order in `step`.
+/// Midpoint quadrature of  int_bounds clamp(1/2 - f(x)/step, 0, 1) dx: the volume where f < 0, with
+/// f a distance, to second order in `step`.
 template <class Distance>
 Real measure(const BoundingBox& bounds, int dimension, Real step, Distance&& f);
 

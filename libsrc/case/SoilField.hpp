@@ -32,12 +32,13 @@ struct PackingKernel {
 struct PeriodicPoints {
     std::vector<Point> x;
     std::vector<Index> owner;
-    std::vector<Point> shift;   ///< x = that of the owner + shift
+    std::vector<Point> shift;  ///< x = that of the owner + shift
     PeriodicPoints(const CaseGeometry& geometry, const std::vector<Point>& points, Real reach);
 };
 
-/// eps(x) = 1 - [sum_k solidVolume_k W(x - x_k)]/[1 - sum_w V_w W(x - x_w)], h = 1.5 d0: soil goes on in
-/// walls and across periodic faces.                                                [theory (4.10)]
+/// eps(x) = 1 - [sum_k solidVolume_k W(x - x_k)]/[1 - sum_w V_w W(x - x_w)], h = 1.5 d0: soil goes
+/// on in walls and across periodic faces.                                                [theory
+/// (4.10)]
 class SoilField {
 public:
     SoilField(const CaseGeometry& geometry, const SoilParticles& soil, const WallParticles& walls);

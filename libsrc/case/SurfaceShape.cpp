@@ -22,6 +22,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <mutex>
 
 namespace isph {
 
@@ -41,12 +42,13 @@ vtkSmartPointer<vtkPolyData> readFile(const std::filesystem::path& file)
     if (!std::filesystem::is_regular_file(file))
         throw FatalError(fmt::format("cannot open the surface \"{}\"", file.string()));
     std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
     if (ending == ".stl") return readWith<vtkSTLReader>(file);
     if (ending == ".obj") return readWith<vtkOBJReader>(file);
     if (ending == ".vtp") return readWith<vtkXMLPolyDataReader>(file);
-    throw FatalError(fmt::format("the surface \"{}\" is of unknown format; valid are .stl, .obj and .vtp",
-                                 file.string()));
+    throw FatalError(fmt::format(
+        "the surface \"{}\" is of unknown format; valid are .stl, .obj and .vtp", file.string()));
 }
 
 /// Triangles with merged points and normals out of the body; throws unless they close.
@@ -71,8 +73,10 @@ vtkSmartPointer<vtkPolyData> closedSurface(const std::filesystem::path& file)
     open->ManifoldEdgesOff();
     open->Update();
     if (const auto count = open->GetOutput()->GetNumberOfLines(); count > 0)
-        throw FatalError(fmt::format("the surface \"{}\" is not closed: {} open edges (edges that do not "
-                                     "belong to exactly two triangles)", file.string(), count));
+        throw FatalError(
+            fmt::format("the surface \"{}\" is not closed: {} open edges (edges that do not "
+                        "belong to exactly two triangles)",
+                        file.string(), count));
 
     vtkNew<vtkPolyDataNormals> orient;
     orient->SetInputConnection(clean->GetOutputPort());
@@ -106,11 +110,13 @@ Point crossProduct(const Point& a, const Point& b)
 struct SurfaceShape::Content {
     vtkSmartPointer<vtkPolyData> surface;
     vtkNew<vtkImplicitPolyDataDistance> distance;
+    mutable std::mutex oneAtATime;  // VTK's evaluation is not for several threads
     BoundingBox bounds;
     Real volume = 0;
 };
 
-SurfaceShape::SurfaceShape(const std::filesystem::path& file) : content_(std::make_unique<Content>())
+SurfaceShape::SurfaceShape(const std::filesystem::path& file)
+    : content_(std::make_unique<Content>())
 {
     content_->surface = closedSurface(file);
     content_->distance->SetInput(content_->surface);
@@ -125,12 +131,14 @@ SurfaceShape::~SurfaceShape() = default;
 Real SurfaceShape::signedDistance(const Point& x) const
 {
     Point p = x;
+    const std::lock_guard lock(content_->oneAtATime);
     return content_->distance->EvaluateFunction(p.c.data());
 }
 
 Point SurfaceShape::nearestPoint(const Point& x) const
 {
     Point p = x, nearest;
+    const std::lock_guard lock(content_->oneAtATime);
     content_->distance->EvaluateFunctionAndGetClosestPoint(p.c.data(), nearest.c.data());
     return nearest;
 }
@@ -141,13 +149,20 @@ Point SurfaceShape::normal(const Point& x) const
     if (norm(away) > 1e-9 * norm(content_->bounds.size()))
         return signedDistance(x) < 0 ? -unit(away) : unit(away);
     Point p = x, n;
+    const std::lock_guard lock(content_->oneAtATime);
     content_->distance->EvaluateGradient(p.c.data(), n.c.data());
     return unit(n);
 }
 
-BoundingBox SurfaceShape::bounds() const { return content_->bounds; }
+BoundingBox SurfaceShape::bounds() const
+{
+    return content_->bounds;
+}
 
-std::optional<Real> SurfaceShape::volume() const { return std::fabs(content_->volume); }
+std::optional<Real> SurfaceShape::volume() const
+{
+    return std::fabs(content_->volume);
+}
 
 std::unique_ptr<Shape> surfaceSection(const std::filesystem::path& file, std::optional<Real> z)
 {
@@ -155,7 +170,8 @@ std::unique_ptr<Shape> surfaceSection(const std::filesystem::path& file, std::op
     double b[6];
     surface->GetBounds(b);
     const Real height = z.value_or(0.5 * (b[4] + b[5]));
-    // edges of the section with the interior on their left: along normal x e_z, turned by a right angle
+    // edges of the section with the interior on their left: along normal x e_z, turned by a right
+    // angle
     std::vector<Edge> edges;
     forEachTriangle(*surface, [&](const Point& p, const Point& q, const Point& r) {
         const Point corner[3] = {p, q, r};
@@ -175,8 +191,10 @@ std::unique_ptr<Shape> surfaceSection(const std::filesystem::path& file, std::op
         if (hasFrom && hasTo && norm(to - from) > 0) edges.push_back({from, to, 0, false});
     });
     if (edges.empty())
-        throw FatalError(fmt::format("the plane z = {} does not cut the surface \"{}\", which reaches from "
-                                     "z = {} to {}", height, file.string(), b[4], b[5]));
+        throw FatalError(
+            fmt::format("the plane z = {} does not cut the surface \"{}\", which reaches from "
+                        "z = {} to {}",
+                        height, file.string(), b[4], b[5]));
     if (enclosedArea(edges) < 0)
         for (Edge& e : edges) std::swap(e.a, e.b);
     return std::make_unique<PolygonShape>(std::move(edges), 2, 0, 0);

@@ -8,7 +8,8 @@ namespace isph {
 /// The inside of a closed surface (3-D).
 class SurfaceShape : public Shape {
 public:
-    /// errors  FatalError: no such file, unknown format, no triangles, or a surface that is not closed
+    /// errors  FatalError: no such file, unknown format, no triangles, or a surface that is not
+    /// closed
     ///         (names the file and the number of open edges)
     explicit SurfaceShape(const std::filesystem::path& file);
     ~SurfaceShape() override;
@@ -17,7 +18,7 @@ public:
     Point nearestPoint(const Point& x) const override;
     Point normal(const Point& x) const override;
     BoundingBox bounds() const override;
-    std::optional<Real> volume() const override;   ///< of the triangles, by the divergence theorem
+    std::optional<Real> volume() const override;  ///< of the triangles, by the divergence theorem
     std::vector<Edge> contour(Real) const override { return {}; }
 
 private:

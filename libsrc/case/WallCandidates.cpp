@@ -15,7 +15,7 @@ namespace {
 /// Cells of a box along one of its axes.
 struct AxisCells {
     std::vector<Real> at, size;
-    std::vector<char> inside;   ///< within the box, not in a layer around it
+    std::vector<char> inside;  ///< within the box, not in a layer around it
 
     void add(Real x, Real s, bool in)
     {
@@ -33,7 +33,8 @@ bool onPeriodicFace(const OrientedBox& box, const CaseGeometry& g, int d, bool h
     return std::fabs(face - (high ? g.domain.max[d] : g.domain.min[d])) < 1e-6 * g.spacing;
 }
 
-AxisCells tankAxis(const Wall& wall, const OrientedBox& box, const CaseGeometry& g, int d, int layers)
+AxisCells tankAxis(const Wall& wall, const OrientedBox& box, const CaseGeometry& g, int d,
+                   int layers)
 {
     AxisCells axis;
     const Real length = box.length[d];
@@ -57,7 +58,8 @@ AxisCells solidAxis(const OrientedBox& box, const CaseGeometry& g, int d, int la
     const Real rest = length - 2 * rim * g.spacing;
     const int middle = n - 2 * rim;
     for (int k = 0; k < rim; ++k) axis.add((k + 0.5) * g.spacing, g.spacing, true);
-    for (int k = 0; k < middle; ++k) axis.add(rim * g.spacing + (k + 0.5) * rest / middle, rest / middle, true);
+    for (int k = 0; k < middle; ++k)
+        axis.add(rim * g.spacing + (k + 0.5) * rest / middle, rest / middle, true);
     for (int k = rim - 1; k >= 0; --k) axis.add(length - (k + 0.5) * g.spacing, g.spacing, true);
     return axis;
 }
@@ -88,10 +90,7 @@ private:
         return (wall_.fluidInside() ? -1 : 1) * wall_.shape().normal(x);
     }
 
-    Point onShell(const Point& x) const
-    {
-        return wall_.surfacePoint(x) - depth_ * towardsWater(x);
-    }
+    Point onShell(const Point& x) const { return wall_.surfacePoint(x) - depth_ * towardsWater(x); }
 
     /// Repulsion by a surface kernel, along the shell; the longest move.
     Real step()
@@ -113,7 +112,8 @@ private:
             next[i] = limits_.contains(to) ? to : x_[i];
         });
         Real longest = 0;
-        for (std::size_t i = 0; i < x_.size(); ++i) longest = std::max(longest, norm(next[i] - x_[i]));
+        for (std::size_t i = 0; i < x_.size(); ++i)
+            longest = std::max(longest, norm(next[i] - x_[i]));
         x_ = std::move(next);
         return longest;
     }
@@ -132,7 +132,8 @@ WallCandidates boxCandidates(const Wall& wall, const CaseGeometry& g, int layers
     const OrientedBox box = *wall.shape().box();
     AxisCells axis[3];
     for (int d = 0; d < 3; ++d)
-        axis[d] = wall.fluidInside() ? tankAxis(wall, box, g, d, layers) : solidAxis(box, g, d, layers);
+        axis[d] =
+            wall.fluidInside() ? tankAxis(wall, box, g, d, layers) : solidAxis(box, g, d, layers);
     WallCandidates found;
     found.exact = true;
     for (std::size_t k = 0; k < axis[2].at.size(); ++k)
@@ -151,10 +152,11 @@ WallCandidates shellCandidates(const Wall& wall, const CaseGeometry& g, int laye
     const Real d0 = g.spacing, thickness = layers * d0;
     const BoundingBox limits = wallLimits(g, thickness);
     BoundingBox box = limits;
-    if (wall.shape().bounded() && !wall.fluidInside()) box = intersection(limits, wall.shape().bounds());
+    if (wall.shape().bounded() && !wall.fluidInside())
+        box = intersection(limits, wall.shape().bounds());
     std::vector<Shell> shells;
     for (int k = 0; k < layers; ++k) shells.emplace_back(wall, g, limits, (k + 0.5) * d0);
-    for (int d = 0; d < 3; ++d)   // whole cells from the corner of the domain
+    for (int d = 0; d < 3; ++d)  // whole cells from the corner of the domain
         box.min[d] = g.domain.min[d] + std::floor((box.min[d] - g.domain.min[d]) / d0 + 1e-9) * d0;
     const auto distance = [&](const Point& x) { return wall.bodyDistance(x); };
     forEachCellNear(box, 3, d0, thickness, distance, [&](const Point& x) {

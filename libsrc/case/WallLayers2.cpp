@@ -10,9 +10,12 @@ namespace isph {
 
 namespace {
 
-constexpr Real closest = 0.6;   // of d0: two wall particles are not nearer than this
+constexpr Real closest = 0.6;  // of d0: two wall particles are not nearer than this
 
-Point lifted(const Vec<2>& x) { return {{x[0], x[1], 0}}; }
+Point lifted(const Vec<2>& x)
+{
+    return {{x[0], x[1], 0}};
+}
 
 struct Foot {
     Vec<2> point;
@@ -23,8 +26,12 @@ struct Foot {
 class Layers {
 public:
     Layers(const CaseGeometry& g, Real thickness)
-        : g_(g), d0_(g.spacing), layers_(layerCount(g.spacing, thickness)), depth_(layers_ * g.spacing),
-          wet_(wetEdges(g, depth_ + g.spacing)), placed_(2 * g.spacing)
+        : g_(g),
+          d0_(g.spacing),
+          layers_(layerCount(g.spacing, thickness)),
+          depth_(layers_ * g.spacing),
+          wet_(wetEdges(g, depth_ + g.spacing)),
+          placed_(2 * g.spacing)
     {
         withImages();
     }
@@ -92,7 +99,8 @@ private:
     /// Spacing of a run at its length: the whole number of particles that comes nearest to d0.
     Real spacingOf(const WallRun& run, Real length) const
     {
-        const Real ends = (run.start == WallRun::End::corner ? 0.5 : 0.0) + (run.end == WallRun::End::corner ? 0.5 : 0.0);
+        const Real ends = (run.start == WallRun::End::corner ? 0.5 : 0.0) +
+                          (run.end == WallRun::End::corner ? 0.5 : 0.0);
         // particles stand at the corners themselves, half a spacing from open ends
         const Real between = ends == 0.5 ? std::max(0.0, std::round(length / d0_ - 0.5)) + 0.5
                                          : std::max(1.0, std::round(length / d0_));
@@ -122,12 +130,12 @@ private:
         }
     }
 
-    /// Where layers of two sides met and particles were refused, each of those left gets the part of the
-    /// body that is nearest to it, by quadrature.
+    /// Where layers of two sides met and particles were refused, each of those left gets the part
+    /// of the body that is nearest to it, by quadrature.
     void correctVolumes()
     {
         const PointGrid refused(2 * d0_, refused_);
-        const int samples = 20;   // eight to a spacing, so that cells of a lattice come out exact
+        const int samples = 20;  // eight to a spacing, so that cells of a lattice come out exact
         const Real reach = 1.25 * d0_, step = 2 * reach / samples;
         for (std::size_t i = 0; i < walls_.size(); ++i) {
             if (refused.nearest(walls_.x[i], 1.6 * d0_) < 0) continue;
@@ -136,7 +144,8 @@ private:
                 for (int b = 0; b < samples; ++b) {
                     const Vec<2> x{{walls_.x[i][0] - reach + (a + 0.5) * step,
                                     walls_.x[i][1] - reach + (b + 0.5) * step}};
-                    if (placed_.nearest(lifted(x), 2 * d0_) != static_cast<Index>(i) || !inBody(x)) continue;
+                    if (placed_.nearest(lifted(x), 2 * d0_) != static_cast<Index>(i) || !inBody(x))
+                        continue;
                     own += footOf(x).distance < depth_;
                 }
             walls_.volume[i] = own * sqr(step);

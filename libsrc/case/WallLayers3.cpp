@@ -10,22 +10,28 @@ namespace isph {
 
 namespace {
 
-constexpr Real closest = 0.6;   // of d0: two wall particles are not nearer than this
+constexpr Real closest = 0.6;  // of d0: two wall particles are not nearer than this
 
 class Layers3 {
 public:
     Layers3(const CaseGeometry& g, int layers)
-        : g_(g), d0_(g.spacing), layers_(layers), depth_(layers * g.spacing), limits_(wallLimits(g, depth_)),
-          surface_(g, depth_ + g.spacing), placed_(2 * g.spacing)
+        : g_(g),
+          d0_(g.spacing),
+          layers_(layers),
+          depth_(layers * g.spacing),
+          limits_(wallLimits(g, depth_)),
+          surface_(g, depth_ + g.spacing),
+          placed_(2 * g.spacing)
     {
     }
 
     WallParticles lay()
     {
-        for (bool boxes : {true, false})   // lattices first: others give way where they meet
+        for (bool boxes : {true, false})  // lattices first: others give way where they meet
             for (const Wall& wall : g_.walls)
                 if (wall.shape().box().has_value() == boxes)
-                    place(boxes ? boxCandidates(wall, g_, layers_) : shellCandidates(wall, g_, layers_));
+                    place(boxes ? boxCandidates(wall, g_, layers_)
+                                : shellCandidates(wall, g_, layers_));
         correctVolumes();
         return std::move(walls_);
     }
@@ -37,7 +43,7 @@ private:
             const Point& x = candidates.x[c];
             if (!limits_.contains(x, 1e-9 * d0_) || g_.bodyDistance(x) >= 0) continue;
             const WetSurface::Foot foot = surface_.foot(x);
-            if (foot.wall < 0 || foot.distance > depth_) continue;   // too deep to be seen
+            if (foot.wall < 0 || foot.distance > depth_) continue;  // too deep to be seen
             if (foot.distance < 0.35 * d0_ || placed_.nearest(x, closest * d0_) >= 0) {
                 refused_.push_back(x);
                 continue;
@@ -52,8 +58,8 @@ private:
         }
     }
 
-    /// Particles that are no cells of a lattice, or beside refused ones, get the part of the body that is
-    /// nearest to them, by quadrature at d0/4.
+    /// Particles that are no cells of a lattice, or beside refused ones, get the part of the body
+    /// that is nearest to them, by quadrature at d0/4.
     void correctVolumes()
     {
         const PointGrid refused(2 * d0_, refused_);
@@ -72,7 +78,8 @@ private:
             if (around.nearest(x, 1.2 * d0_) < 0) return;
             const Index i = placed_.nearest(x, 1.2 * d0_);
             if (i < 0 || !irregular[i] || distance(x) >= 0) return;
-            const Real deeper = dot(walls_.x[i] - x, walls_.normal[i]);   // the last layer ends half a spacing below
+            const Real deeper =
+                dot(walls_.x[i] - x, walls_.normal[i]);  // the last layer ends half a spacing below
             if (deeper > 0.5 * d0_ && walls_.depth[i] > depth_ - d0_) return;
             walls_.volume[i] += cube(step);
         });

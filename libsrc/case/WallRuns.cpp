@@ -35,7 +35,8 @@ Vec<2> miter(const Edge& e, const Edge& f)
     return c > 1e-3 ? (n + m) * (-1 / c) : -1.0 * n;
 }
 
-/// The end of a chain: along the face of the domain where that is periodic, else square to the edge.
+/// The end of a chain: along the face of the domain where that is periodic, else square to the
+/// edge.
 Vec<2> endDirection(const Edge& e, const Vec<2>& end, const CaseGeometry& g)
 {
     const Vec<2> n = e.normal();
@@ -77,10 +78,11 @@ std::vector<WallRun> wallRuns(const Chain& chain, const CaseGeometry& g)
     std::vector<Edge> edges = chain.edges;
     const std::size_t n = edges.size();
     bool closed = chain.closed;
-    if (closed)   // begin at a corner, if there is one
+    if (closed)  // begin at a corner, if there is one
         for (std::size_t j = 0; j < n; ++j)
             if (jointOf(edges[(j + n - 1) % n], edges[j]) == Joint::corner) {
-                std::rotate(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(j), edges.end());
+                std::rotate(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(j),
+                            edges.end());
                 break;
             }
     const bool cornered = closed && jointOf(edges[n - 1], edges[0]) == Joint::corner;
@@ -110,7 +112,8 @@ std::vector<WallRun> wallRuns(const Chain& chain, const CaseGeometry& g)
     }
     WallRun& last = runs.back();
     if (!closed)
-        addVertex(last, edges[n - 1].b, endDirection(edges[n - 1], edges[n - 1].b, g), edges[n - 1].tag);
+        addVertex(last, edges[n - 1].b, endDirection(edges[n - 1], edges[n - 1].b, g),
+                  edges[n - 1].tag);
     else
         addVertex(last, edges[n - 1].b, runs[0].inward[0], edges[n - 1].tag);
     if (cornered) last.end = WallRun::End::corner;
@@ -121,9 +124,11 @@ std::vector<WallRun> wallRuns(const Chain& chain, const CaseGeometry& g)
 OffsetLine::OffsetLine(const WallRun& run, Real depth)
 {
     for (std::size_t i = 0; i + 1 < run.vertex.size(); ++i) {
-        const Vec<2> a = run.vertex[i] + depth * run.inward[i], b = run.vertex[i + 1] + depth * run.inward[i + 1];
+        const Vec<2> a = run.vertex[i] + depth * run.inward[i],
+                     b = run.vertex[i + 1] + depth * run.inward[i + 1];
         const Vec<2> original = run.vertex[i + 1] - run.vertex[i];
-        if (dot(b - a, original) < 0) continue;   // beyond the centre of curvature: nothing is left of it
+        if (dot(b - a, original) < 0)
+            continue;  // beyond the centre of curvature: nothing is left of it
         from.push_back(a);
         to.push_back(b);
         tag.push_back(run.tag[i]);

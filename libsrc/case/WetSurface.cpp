@@ -7,8 +7,8 @@ namespace isph {
 
 namespace {
 
-constexpr Real sampling = 0.25;   // of d0
-constexpr Real probe = 2e-3;      // of d0: how far off a surface its two sides are asked for
+constexpr Real sampling = 0.25;  // of d0
+constexpr Real probe = 2e-3;     // of d0: how far off a surface its two sides are asked for
 
 struct Octree {
     int dimension;
@@ -25,7 +25,8 @@ struct Octree {
             if (first[d] >= count[d]) return;
             centre[d] += (static_cast<Real>(first[d]) + 0.5 * static_cast<Real>(side)) * cell;
         }
-        const Real radius = 0.5 * std::sqrt(static_cast<Real>(dimension)) * static_cast<Real>(side - 1) * cell;
+        const Real radius =
+            0.5 * std::sqrt(static_cast<Real>(dimension)) * static_cast<Real>(side - 1) * cell;
         if (std::fabs(distance(centre)) > radius + band) return;
         if (side == 1) return f(centre);
         for (int octant = 0; octant < 1 << dimension; ++octant) {
@@ -39,7 +40,8 @@ struct Octree {
 }  // namespace
 
 void forEachCellNear(const BoundingBox& box, int dimension, Real cell, Real band,
-                     const std::function<Real(const Point&)>& distance, const std::function<void(const Point&)>& f)
+                     const std::function<Real(const Point&)>& distance,
+                     const std::function<void(const Point&)>& f)
 {
     if (box.empty()) return;
     std::array<std::int64_t, 3> count{1, 1, 1};
@@ -59,7 +61,8 @@ BoundingBox wallLimits(const CaseGeometry& g, Real margin)
     return limits;
 }
 
-WetSurface::WetSurface(const CaseGeometry& g, Real reach) : g_(g), reach_(reach), samples_(0.5 * reach)
+WetSurface::WetSurface(const CaseGeometry& g, Real reach)
+    : g_(g), reach_(reach), samples_(0.5 * reach)
 {
     for (std::size_t w = 0; w < g.walls.size(); ++w) sample(w);
 }
@@ -75,7 +78,8 @@ void WetSurface::sample(std::size_t w)
     const Real cell = sampling * g_.spacing;
     const BoundingBox limits = wallLimits(g_, reach_);
     BoundingBox box = limits;
-    if (wall.shape().bounded()) box = intersection(limits, wall.shape().bounds().grown(cell, g_.dimension));
+    if (wall.shape().bounded())
+        box = intersection(limits, wall.shape().bounds().grown(cell, g_.dimension));
     const auto distance = [&](const Point& x) { return wall.bodyDistance(x); };
     forEachCellNear(box, g_.dimension, cell, 0.5 * cell, distance, [&](const Point& x) {
         const Real f = distance(x);

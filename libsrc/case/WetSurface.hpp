@@ -15,10 +15,10 @@ public:
     struct Foot {
         Point point;
         Real distance = std::numeric_limits<Real>::max();
-        Index wall = -1;   ///< -1: none within reach
+        Index wall = -1;  ///< -1: none within reach
     };
-    /// The nearest wet point to x, which is in a wall's body. Exact where the nearest surface is wet, else
-    /// one of points d0/4 apart.
+    /// The nearest wet point to x, which is in a wall's body. Exact where the nearest surface is
+    /// wet, else one of points d0/4 apart.
     Foot foot(const Point& x) const;
     /// Points of the surface, d0/4 apart.
     const PointGrid& samples() const { return samples_; }
@@ -33,10 +33,11 @@ private:
     std::vector<Index> sampleWall_;
 };
 
-/// Calls f(centre) for the cells of size `cell` in `box` where |distance| may be below `band`: an octree
-/// descends only where the surface can be. |distance| must not exceed the true one.
+/// Calls f(centre) for the cells of size `cell` in `box` where |distance| may be below `band`: an
+/// octree descends only where the surface can be. |distance| must not exceed the true one.
 void forEachCellNear(const BoundingBox& box, int dimension, Real cell, Real band,
-                     const std::function<Real(const Point&)>& distance, const std::function<void(const Point&)>& f);
+                     const std::function<Real(const Point&)>& distance,
+                     const std::function<void(const Point&)>& f);
 
 /// The domain, grown by `margin` in directions that are not periodic.
 BoundingBox wallLimits(const CaseGeometry& geometry, Real margin);

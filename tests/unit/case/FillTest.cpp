@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Scene.hpp"
+#include "FilledScene.hpp"
 
 #include "core/Parallel.hpp"
 
@@ -11,67 +11,6 @@ using namespace isph::test;
 namespace {
 
 constexpr Real pi = std::numbers::pi;
-const std::vector<ZonePorosity> zones{{"sand", 0.4}, {"rubble", 0.49}};
-
-struct Scene {
-    CaseGeometry g;
-    WallParticles walls;
-    SoilParticles soil;
-    WaterParticles water;
-
-    explicit Scene(const std::string& text, const std::string& periodic = "")
-        : g(geometryOf(text, periodic)), walls(layWalls(g, 4 * g.spacing)), soil(fillSoil(g, zones)),
-          water(fillWater(g, zones, walls, soil))
-    {
-    }
-    /// Particles of the part, which the report lists.
-    std::int64_t count(const std::string& region, const std::string& zone) const
-    {
-        for (const FilledPart& part : water.parts)
-            if (part.region == region && part.zone == zone) return part.count;
-        return -1;
-    }
-    /// Water and walls: sum_j V_j W_ij at each water particle, V_j = d0^D/eps_j and h_ij the mean of h = 1.5 d0/eps^(1/D),
-    /// over the sum of a lattice.
-    std::vector<Real> kernelSums() const
-    {
-        const SoilField field(g, soil, walls);
-        const PackingKernel kernel{g.dimension};
-        const PeriodicPoints all(g, water.x, 6 * g.spacing);
-        const PointGrid near(3 * g.spacing, all.x), nearWalls(3 * g.spacing, walls.x);
-        std::vector<Real> h, volume, sums;
-        for (const Point& x : water.x) {
-            volume.push_back(g.cellVolume() / field.porosity(x));
-            h.push_back(1.5 * std::pow(volume.back(), 1.0 / g.dimension));
-        }
-        Real lattice = 0;
-        for (int i = -3; i <= 3; ++i)
-            for (int j = -3; j <= 3; ++j) lattice += kernel.w(std::hypot(i, j), 1.5);   // in two dimensions
-        for (std::size_t i = 0; i < water.x.size(); ++i) {
-            Real sum = 0;
-            near.forEachWithin(water.x[i], 6 * g.spacing, [&](Index k, const Point& r) {
-                const Index j = all.owner[k];
-                sum += volume[j] * kernel.w(norm(r), 0.5 * (h[i] + h[j]));
-            });
-            nearWalls.forEachWithin(water.x[i], 2 * h[i], [&](Index k, const Point& r) {
-                sum += walls.volume[k] * kernel.w(norm(r), h[i]);
-            });
-            sums.push_back(sum / lattice);
-        }
-        return sums;
-    }
-};
-
-std::string tank(const std::string& spacing, const std::string& rest)
-{
-    return "spacing " + spacing + "; dimension 2; domain { min (0 0 0); max (1 0.6 0); }"
-           "walls { tank { type box; min (0 0 0); max (1 0.6 0); open (top); } } " + rest;
-}
-
-std::string box(const std::string& name, const std::string& min, const std::string& max, const std::string& more = "")
-{
-    return name + " { type box; min (" + min + "); max (" + max + "); " + more + " }";
-}
 
 /// A tank turned by 30 degrees against the lattice, its water level horizontal.
 const std::string turnedTank =
@@ -85,7 +24,7 @@ const std::string turnedTank =
 
 TEST(FillWater, ABoxOfWholeSpacingsHoldsTheLattice)
 {
-    const Scene s(tank("0.01", "water { " + box("w", "0 0 0", "0.6 0.3 0") + " }"));
+    const FilledScene s(tank("0.01", "water { " + box("w", "0 0 0", "0.6 0.3 0") + " }"));
     EXPECT_EQ(s.water.x.size(), 1800u);
     for (const Point& x : s.water.x)
         for (int d = 0; d < 2; ++d) EXPECT_NEAR(x[d] / 0.01 - std::floor(x[d] / 0.01), 0.5, 1e-9);
@@ -93,43 +32,52 @@ TEST(FillWater, ABoxOfWholeSpacingsHoldsTheLattice)
     const std::vector<Real> sums = s.kernelSums();
     for (std::size_t i = 0; i < sums.size(); ++i)
         if (s.water.x[i][1] < 0.26 && s.water.x[i][0] < 0.56) {
-            EXPECT_NEAR(sums[i], 1, 1e-12);   // walls go on with the lattice
+            EXPECT_NEAR(sums[i], 1, 1e-12);  // walls go on with the lattice
         }
 }
 
 TEST(FillWater, ABoxOfOddSizesHoldsTheRightNumberHalfASpacingFromItsFaces)
 {
-    const Scene s(tank("0.01", "water { " + box("w", "0 0 0", "0.604 0.053 0") + " }"));
+    const FilledScene s(tank("0.01", "water { " + box("w", "0 0 0", "0.604 0.053 0") + " }"));
     EXPECT_EQ(s.water.x.size(), static_cast<std::size_t>(std::llround(0.604 * 0.053 / 1e-4)));
     BoundingBox b;
     for (const Point& x : s.water.x) b.include(x);
-    for (Real gap : {b.min[0], b.min[1], 0.604 - b.max[0], 0.053 - b.max[1]}) EXPECT_NEAR(gap, 0.005, 0.0006);
+    for (Real gap : {b.min[0], b.min[1], 0.604 - b.max[0], 0.053 - b.max[1]})
+        EXPECT_NEAR(gap, 0.005, 0.0006);
     EXPECT_GT(nearestPair(s.g, s.water.x), 0.008);
 }
 
 TEST(FillWater, InThreeDimensionsTheNumberIsRightToo)
 {
-    const Scene s("spacing 0.05; dimension 3; domain { min (0 0 0); max (1 1 1); }"
-                  "water { " + box("w", "0 0 0", "0.51 0.42 0.23") + " }");
+    const FilledScene s(
+        "spacing 0.05; dimension 3; domain { min (0 0 0); max (1 1 1); }"
+        "water { " +
+        box("w", "0 0 0", "0.51 0.42 0.23") + " }");
     EXPECT_NEAR(static_cast<Real>(s.water.x.size()), 0.51 * 0.42 * 0.23 / 1.25e-4, 1);
     EXPECT_GT(nearestPair(s.g, s.water.x), 0.8 * 0.05);
 }
 
 TEST(FillWater, InSoilTheNumberIsThatOfThePoreVolume)
 {
-    const Scene s(tank("0.01", "soil { " + box("bed", "0 0 0", "1 0.103 0", "zone sand;") + " }"
-                               "water { " + box("w", "0 0 0", "1 0.2 0") + " }"));
+    const FilledScene s(tank("0.01", "soil { " + box("bed", "0 0 0", "1 0.103 0", "zone sand;") +
+                                         " }"
+                                         "water { " +
+                                         box("w", "0 0 0", "1 0.2 0") + " }"));
     EXPECT_EQ(s.count("w", "sand"), std::llround(0.4 * 0.103 / 1e-4));
     EXPECT_NEAR(static_cast<Real>(s.count("w", "")), 0.097 / 1e-4, 1);
 }
 
 TEST(FillWater, ThePorousDamBreakHoldsItsWater)
 {
-    const std::string text = "spacing 0.005; dimension 2; domain { min (0 0 0); max (0.892 0.58 0); }"
-                             "walls { tank { type box; min (0 0 0); max (0.892 0.58 0); open (top); } }"
-                             "soil { " + box("block", "0.3 0 0", "0.59 0.37 0", "zone rubble;") + " }"
-                             "water { " + box("reservoir", "0 0 0", "0.28 0.35 0") + box("tail", "0.28 0 0", "0.892 0.025 0") + " }";
-    const Scene s(text);
+    const std::string text =
+        "spacing 0.005; dimension 2; domain { min (0 0 0); max (0.892 0.58 0); }"
+        "walls { tank { type box; min (0 0 0); max (0.892 0.58 0); open (top); } }"
+        "soil { " +
+        box("block", "0.3 0 0", "0.59 0.37 0", "zone rubble;") +
+        " }"
+        "water { " +
+        box("reservoir", "0 0 0", "0.28 0.35 0") + box("tail", "0.28 0 0", "0.892 0.025 0") + " }";
+    const FilledScene s(text);
     EXPECT_EQ(s.count("reservoir", ""), 56 * 70);
     EXPECT_EQ(s.count("tail", "rubble"), std::llround(0.49 * 0.29 * 0.025 / 2.5e-5));
     EXPECT_NEAR(static_cast<Real>(s.water.x.size()) * 2.5e-5, 0.1096025, 2.5e-5);
@@ -138,9 +86,12 @@ TEST(FillWater, ThePorousDamBreakHoldsItsWater)
 
 TEST(FillWater, AcrossASoilSurfaceTheKernelSumStaysEven)
 {
-    // rows of unequal numbers and the step of the spacing leave 2 %; seeded with the sharp porosity it is 7 %
-    const Scene s(tank("0.01", "soil { " + box("bed", "0 0 0", "1 0.1 0", "zone sand;") + " }"
-                               "water { " + box("w", "0 0 0", "1 0.2 0") + " }"));
+    // rows of unequal numbers and the step of the spacing leave 2 %; seeded with the sharp porosity
+    // it is 7 %
+    const FilledScene s(tank("0.01", "soil { " + box("bed", "0 0 0", "1 0.1 0", "zone sand;") +
+                                         " }"
+                                         "water { " +
+                                         box("w", "0 0 0", "1 0.2 0") + " }"));
     const std::vector<Real> sums = s.kernelSums();
     for (std::size_t i = 0; i < sums.size(); ++i)
         if (s.water.x[i][1] < 0.16) {
@@ -150,15 +101,15 @@ TEST(FillWater, AcrossASoilSurfaceTheKernelSumStaysEven)
 
 TEST(FillWater, InATankTurnedAgainstTheLatticeParticlesKeepTheirDistances)
 {
-    const Scene s(turnedTank);
+    const FilledScene s(turnedTank);
     const Real area = *s.g.water[0].shape->volume();
     EXPECT_EQ(s.water.x.size(), static_cast<std::size_t>(std::llround(area / 1e-4)));
     EXPECT_GT(nearestPair(s.g, s.water.x), 0.6 * 0.01);
     Real nearest = 1;
     for (const Point& x : s.water.x) nearest = std::min(nearest, s.g.bodyDistance(x));
     EXPECT_GT(nearest, 0.35 * 0.01);
-    // water and walls together fill the plane: the sum in the bulk is that of a lattice, and the packing
-    // at walls that no lattice fits costs up to 4 %
+    // water and walls together fill the plane: the sum in the bulk is that of a lattice, and the
+    // packing at walls that no lattice fits costs up to 4 %
     const std::vector<Real> sums = s.kernelSums();
     for (std::size_t i = 0; i < sums.size(); ++i)
         if (s.water.x[i][1] < 0.3) {
@@ -168,19 +119,21 @@ TEST(FillWater, InATankTurnedAgainstTheLatticeParticlesKeepTheirDistances)
 
 TEST(FillWater, AroundACircleTheNumberFollowsTheArea)
 {
-    const Scene s(tank("0.01", "water { w { type difference; shapes { " + box("all", "0 0 0", "1 0.4 0") +
-                               " c { type circle; centre (0.5 0.2 0); radius 0.1; } } } }"));
+    const FilledScene s(
+        tank("0.01", "water { w { type difference; shapes { " + box("all", "0 0 0", "1 0.4 0") +
+                         " c { type circle; centre (0.5 0.2 0); radius 0.1; } } } }"));
     EXPECT_EQ(s.water.x.size(), static_cast<std::size_t>(std::llround((0.4 - pi * 0.01) / 1e-4)));
     EXPECT_GT(nearestPair(s.g, s.water.x), 0.6 * 0.01);
-    BoundingBox b;   // far from the circle the lattice is untouched
+    BoundingBox b;  // far from the circle the lattice is untouched
     for (const Point& x : s.water.x) b.include(x);
     EXPECT_NEAR(b.min[0], 0.005, 1e-6);
 }
 
 TEST(FillWater, OfRegionsThatOverlapTheFirstHasTheCommonPart)
 {
-    const Scene s(tank("0.01", "water { " + box("a", "0 0 0", "0.5 0.2 0", "velocity (1 0 0);") +
-                               box("b", "0.4 0 0", "1 0.1 0") + " }"));
+    const FilledScene s(tank("0.01", "water { " +
+                                         box("a", "0 0 0", "0.5 0.2 0", "velocity (1 0 0);") +
+                                         box("b", "0.4 0 0", "1 0.1 0") + " }"));
     EXPECT_EQ(s.water.x.size(), 50u * 20 + 50 * 10);
     EXPECT_NEAR(nearestPair(s.g, s.water.x), 0.01, 1e-12);
     for (std::size_t i = 0; i < s.water.x.size(); ++i)
@@ -189,26 +142,36 @@ TEST(FillWater, OfRegionsThatOverlapTheFirstHasTheCommonPart)
 
 TEST(FillWater, VelocitiesMayBeExpressionsOfThePlace)
 {
-    const Scene s(tank("0.02", "water { " + box("w", "0 0 0", "1 0.2 0", "velocity (\"sin(2*pi*x)\" \"x*y\" \"0\");") + " }"));
+    const FilledScene s(
+        tank("0.02", "water { " +
+                         box("w", "0 0 0", "1 0.2 0", "velocity (\"sin(2*pi*x)\" \"x*y\" \"0\");") +
+                         " }"));
     for (std::size_t i = 0; i < s.water.x.size(); ++i) {
         const Point &x = s.water.x[i], &u = s.water.velocity[i];
         EXPECT_NEAR(u[0], std::sin(2 * pi * x[0]), 1e-14);
         EXPECT_NEAR(u[1], x[0] * x[1], 1e-15);
     }
     const std::string message = messageOf([] {
-        geometryOf(tank("0.02", "water { " + box("w", "0 0 0", "1 0.2 0", "velocity (\"sin(\" \"0\" \"0\");") + " }"));
+        geometryOf(tank(
+            "0.02",
+            "water { " + box("w", "0 0 0", "1 0.2 0", "velocity (\"sin(\" \"0\" \"0\");") + " }"));
     });
     EXPECT_TRUE(contains(message, "sin(")) << message;
 }
 
 TEST(FillSoil, TheSolidVolumeOfAZoneIsExact)
 {
-    const Scene s(tank("0.01", "soil { m { type polygon; points ((0.2 0) (0.4 0.13) (0.6 0.13) (0.8 0)); zone sand; }" +
-                               box("block", "0.9 0 0", "0.987 0.2034 0", "zone rubble;") + " }"
-                               "water { " + box("w", "0 0.3 0", "1 0.4 0") + " }"));
+    const FilledScene s(tank(
+        "0.01",
+        "soil { m { type polygon; points ((0.2 0) (0.4 0.13) (0.6 0.13) (0.8 0)); zone sand; }" +
+            box("block", "0.9 0 0", "0.987 0.2034 0", "zone rubble;") +
+            " }"
+            "water { " +
+            box("w", "0 0.3 0", "1 0.4 0") + " }"));
     Real solid[2] = {0, 0};
-    for (std::size_t i = 0; i < s.soil.x.size(); ++i) solid[s.soil.zone[i]] += s.soil.solidVolume[i];
-    EXPECT_NEAR(solid[0], 0.6 * 0.13 * 0.4, 1e-12);            // trapezium of sides 0.6 and 0.2
+    for (std::size_t i = 0; i < s.soil.x.size(); ++i)
+        solid[s.soil.zone[i]] += s.soil.solidVolume[i];
+    EXPECT_NEAR(solid[0], 0.6 * 0.13 * 0.4, 1e-12);  // trapezium of sides 0.6 and 0.2
     EXPECT_NEAR(solid[1], 0.51 * 0.087 * 0.2034, 1e-12);
     EXPECT_GT(nearestPair(s.g, s.soil.x), 0.6 * 0.01);
 }
@@ -217,73 +180,11 @@ TEST(Fill, OneAndThreeThreadsAgreeBitForBit)
 {
     const int before = threadCount();
     setThreadCount(1);
-    const Scene one(turnedTank);
+    const FilledScene one(turnedTank);
     setThreadCount(3);
-    const Scene three(turnedTank);
+    const FilledScene three(turnedTank);
     setThreadCount(before);
     ASSERT_EQ(one.water.x.size(), three.water.x.size());
-    for (std::size_t i = 0; i < one.water.x.size(); ++i) EXPECT_EQ(one.water.x[i], three.water.x[i]);
-}
-
-namespace {
-
-/// The place and the message of the error that filling the scene raises.
-std::pair<int, std::string> refusal(const std::string& text)
-{
-    try {
-        const Scene s(text);
-    } catch (const FatalIOError& error) {
-        return {error.line(), error.what()};
-    }
-    return {0, "no error"};
-}
-
-}  // namespace
-
-TEST(Refusals, WaterInAWallNamesBoth)
-{
-    const auto [line, message] = refusal(tank("0.01", "\nwater {\n " + box("flood", "0 0 0", "1.02 0.2 0") + " }"));
-    EXPECT_EQ(line, 3) << message;
-    EXPECT_TRUE(contains(message, "flood")) << message;
-    // a sliver that holds no particle is found as well
-    const std::string block = "walls { block " + std::string("{ type box; min (0.4 0 0); max (0.5 0.3 0); } }");
-    const std::string text = "spacing 0.01; dimension 2; domain { min (0 0 0); max (1 0.6 0); } " + block +
-                             "water { " + box("left", "0 0 0", "0.403 0.2 0") + " }";
-    EXPECT_TRUE(contains(refusal(text).second, "overlaps the wall block")) << refusal(text).second;
-}
-
-TEST(Refusals, ATankWrittenAsASolidBoxTellsHowToTurnItRound)
-{
-    const std::string text = "spacing 0.01; dimension 2; domain { min (0 0 0); max (1 0.6 0); }"
-                             "walls { tank { type box; min (0 0 0); max (1 0.6 0); } }"
-                             "water { " + box("w", "0 0 0", "1 0.2 0") + " }";
-    EXPECT_TRUE(contains(refusal(text).second, "fluid inside")) << refusal(text).second;
-}
-
-TEST(Refusals, WaterOutsideTheDomainGivesTheDomain)
-{
-    const std::string text = "spacing 0.01; dimension 2; domain { min (0 0 0); max (1 0.6 0); }\n"
-                             "water { " + box("w", "0 0 0", "1 0.604 0") + " }";
-    const auto [line, message] = refusal(text);
-    EXPECT_EQ(line, 2) << message;
-    EXPECT_TRUE(contains(message, "outside the domain")) << message;
-}
-
-TEST(Refusals, ARegionTooSmallForAParticleAndOneThatIsCovered)
-{
-    EXPECT_TRUE(contains(refusal(tank("0.01", "water { " + box("w", "0 0 0", "0.004 0.004 0") + " }")).second, "no room"));
-    EXPECT_TRUE(contains(refusal(tank("0.01", "water { " + box("a", "0 0 0", "1 0.2 0") + box("b", "0 0 0", "0.5 0.1 0") + " }")).second, "no room"));
-}
-
-TEST(Refusals, SoilOfAnUnknownZoneNamesTheNearest)
-{
-    const auto [line, message] = refusal(tank("0.01", "soil {\n" + box("bed", "0 0 0", "1 0.1 0", "zone sannd;") + " } water { " + box("w", "0 0 0", "1 0.2 0") + " }"));
-    EXPECT_EQ(line, 2) << message;
-    EXPECT_TRUE(contains(message, "did you mean sand?")) << message;
-}
-
-TEST(Refusals, ADomainWithoutExtentAndASpacingBeyondIt)
-{
-    EXPECT_TRUE(contains(refusal("spacing 0.01; dimension 2; domain { min (0 0 0); max (1 0 0); } water {}").second, "no extent along y"));
-    EXPECT_TRUE(contains(refusal("spacing 2; dimension 2; domain { min (0 0 0); max (1 1 0); } water {}").second, "spacing 2 m is more"));
+    for (std::size_t i = 0; i < one.water.x.size(); ++i)
+        EXPECT_EQ(one.water.x[i], three.water.x[i]);
 }

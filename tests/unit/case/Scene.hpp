@@ -32,7 +32,8 @@ inline CaseGeometry geometryOf(const std::string& text, const std::string& perio
 {
     std::array<bool, 3> p{};
     for (char c : periodic) p[c - 'x'] = true;
-    return readGeometry(Dictionary::parse(text, "particlesDict"), p, std::filesystem::temp_directory_path());
+    return readGeometry(Dictionary::parse(text, "particlesDict"), p,
+                        std::filesystem::temp_directory_path());
 }
 
 /// The message of the FatalError that f throws; fails the test if it throws none.
@@ -48,7 +49,10 @@ std::string messageOf(F&& f)
     return "";
 }
 
-inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+inline bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
 
 /// Distance to the nearest other point, images across periodic faces included.
 inline Real nearestPair(const CaseGeometry& g, const std::vector<Point>& x)
@@ -63,7 +67,8 @@ inline Real nearestPair(const CaseGeometry& g, const std::vector<Point>& x)
     return least;
 }
 
-/// sum_j V_j W(x - x_j) over the points and their images; 1 on an endless lattice (to 1e-3 for h = 1.5 d0).
+/// sum_j V_j W(x - x_j) over the points and their images; 1 on an endless lattice (to 1e-3 for h
+/// = 1.5 d0).
 class KernelSum {
 public:
     KernelSum(const CaseGeometry& g, Real h) : g_(g), h_(h), grid_(2 * h) {}
@@ -79,7 +84,8 @@ public:
     {
         const PackingKernel kernel{g_.dimension};
         Real sum = 0;
-        grid_.forEachWithin(x, 2 * h_, [&](Index k, const Point& r) { sum += volume_[k] * kernel.w(norm(r), h_); });
+        grid_.forEachWithin(
+            x, 2 * h_, [&](Index k, const Point& r) { sum += volume_[k] * kernel.w(norm(r), h_); });
         return sum;
     }
 

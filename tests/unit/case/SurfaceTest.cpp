@@ -24,7 +24,9 @@ std::filesystem::path writeCube(const std::string& name, int triangles = 12)
             for (int half = 0; half < 2 && written < triangles; ++half, ++written) {
                 out << "facet normal 0 0 0\nouter loop\n";
                 const int order[3] = {0, end ? half + 1 : half + 2, end ? half + 2 : half + 1};
-                for (int k : order) out << "vertex " << quad[k][0] << ' ' << quad[k][1] << ' ' << quad[k][2] << '\n';
+                for (int k : order)
+                    out << "vertex " << quad[k][0] << ' ' << quad[k][1] << ' ' << quad[k][2]
+                        << '\n';
                 out << "endloop\nendfacet\n";
             }
         }
@@ -32,7 +34,10 @@ std::filesystem::path writeCube(const std::string& name, int triangles = 12)
     return file;
 }
 
-std::string cubeText(const std::string& name) { return "type surface; file \"" + name + "\";"; }
+std::string cubeText(const std::string& name)
+{
+    return "type surface; file \"" + name + "\";";
+}
 
 }  // namespace
 
@@ -42,9 +47,11 @@ TEST(Surface, AClosedCubeHasTheDistancesNormalsAndVolumeOfABox)
     const auto cube = shapeOf(cubeText("isphTestCube.stl"), 3);
     const auto box = shapeOf("type box; min (0 0 0); max (1 1 1);", 3);
     EXPECT_NEAR(*cube->volume(), 1, 1e-12);
-    for (const Point& x : {Point{{0.5, 0.5, 0.4}}, Point{{0.2, 0.4, 0.7}}, Point{{1.5, 0.5, 0.5}}, Point{{-0.3, -0.4, 0.5}},
-                           Point{{1.2, 1.3, 1.4}}, Point{{0.5, 2, 0.5}}}) {
-        EXPECT_NEAR(cube->signedDistance(x), box->signedDistance(x), 1e-6);      // STL holds single precision
+    for (const Point& x :
+         {Point{{0.5, 0.5, 0.4}}, Point{{0.2, 0.4, 0.7}}, Point{{1.5, 0.5, 0.5}},
+          Point{{-0.3, -0.4, 0.5}}, Point{{1.2, 1.3, 1.4}}, Point{{0.5, 2, 0.5}}}) {
+        EXPECT_NEAR(cube->signedDistance(x), box->signedDistance(x),
+                    1e-6);  // STL holds single precision
         EXPECT_NEAR(norm(cube->nearestPoint(x) - box->nearestPoint(x)), 0, 1e-6);
         EXPECT_NEAR(norm(cube->normal(x) - box->normal(x)), 0, 1e-5);
     }
@@ -55,14 +62,16 @@ TEST(Surface, ASurfaceWithAHoleIsRefusedWithItsFileAndItsOpenEdges)
     writeCube("isphTestOpenCube.stl", 11);
     const std::string message = messageOf([] { shapeOf(cubeText("isphTestOpenCube.stl"), 3); });
     EXPECT_TRUE(contains(message, "isphTestOpenCube.stl")) << message;
-    EXPECT_TRUE(contains(message, "not closed: 3 open edges")) << message;   // those of the missing triangle
+    EXPECT_TRUE(contains(message, "not closed: 3 open edges"))
+        << message;  // those of the missing triangle
 }
 
 TEST(Surface, AMissingFileAndAnUnknownFormatAreRefused)
 {
     EXPECT_TRUE(contains(messageOf([] { shapeOf(cubeText("isphNoSuch.stl"), 3); }), "cannot open"));
     std::ofstream(std::filesystem::temp_directory_path() / "isphTest.ply") << "ply\n";
-    EXPECT_TRUE(contains(messageOf([] { shapeOf(cubeText("isphTest.ply"), 3); }), ".stl, .obj and .vtp"));
+    EXPECT_TRUE(
+        contains(messageOf([] { shapeOf(cubeText("isphTest.ply"), 3); }), ".stl, .obj and .vtp"));
 }
 
 TEST(Surface, InTwoDimensionsItIsItsSection)
@@ -72,12 +81,14 @@ TEST(Surface, InTwoDimensionsItIsItsSection)
     EXPECT_NEAR(*square->volume(), 1, 1e-6);
     EXPECT_NEAR(square->signedDistance({{0.25, 0.5, 0}}), -0.25, 1e-6);
     EXPECT_NEAR(square->signedDistance({{1.5, 0.5, 0}}), 0.5, 1e-6);
-    EXPECT_TRUE(contains(messageOf([] { shapeOf(cubeText("isphTestCube2.stl") + " z 3;", 2); }), "does not cut"));
+    EXPECT_TRUE(contains(messageOf([] { shapeOf(cubeText("isphTestCube2.stl") + " z 3;", 2); }),
+                         "does not cut"));
 }
 
 TEST(Surface, AnObjFileIsReadToo)
 {
     const auto file = std::filesystem::temp_directory_path() / "isphTest.obj";
-    std::ofstream(file) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    std::ofstream(file)
+        << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
     EXPECT_NEAR(*shapeOf(cubeText("isphTest.obj"), 3)->volume(), 1.0 / 6, 1e-7);
 }

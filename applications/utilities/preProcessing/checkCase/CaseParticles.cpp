@@ -20,8 +20,11 @@ void requireSame(const ParticleFile& file, const std::string& name, Real now)
 {
     const Real then = file.number(name);
     if (std::fabs(then - now) <= 1e-9 * now) return;
-    throw FatalIOError(fmt::format("made with {} {}, but system/particlesDict now has {}: run createParticles again",
-                                   name, then, now), file.source, 0);
+    throw FatalIOError(
+        fmt::format(
+            "made with {} {}, but system/particlesDict now has {}: run createParticles again", name,
+            then, now),
+        file.source, 0);
 }
 
 CaseParticles readParticles(const CaseSetup& setup, const std::filesystem::path& folder)
@@ -53,7 +56,8 @@ CaseParticles readParticles(const CaseSetup& setup, const std::filesystem::path&
 
 CaseParticles particlesOf(const CaseSetup& setup, const std::filesystem::path& caseDir)
 {
-    if (std::filesystem::exists(caseDir / "0" / "water.vtp")) return readParticles(setup, caseDir / "0");
+    if (std::filesystem::exists(caseDir / "0" / "water.vtp"))
+        return readParticles(setup, caseDir / "0");
     CaseParticles p;
     p.walls = layWalls(setup.geometry, setup.wallThickness());
     p.soil = fillSoil(setup.geometry, setup.zones);

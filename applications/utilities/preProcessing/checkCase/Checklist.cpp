@@ -38,6 +38,9 @@ bool Checklist::check(const std::string& what, const std::function<std::string()
     return false;
 }
 
-void Checklist::note(const std::string& text) { info("    Note: {}", text); }
+void Checklist::note(const std::string& text)
+{
+    info("    Note: {}", text);
+}
 
 }  // namespace isph

@@ -23,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Checks a file that must be there, or one that may be missing: "absent: <what that means>".
-void checkFile(Checklist& list, const fs::path& caseDir, const std::string& name, const std::string& whenAbsent,
+void checkFile(Checklist& list, const fs::path& caseDir, const std::string& name,
+               const std::string& whenAbsent,
                const std::function<std::string(const Dictionary&)>& work)
 {
     list.check(name, [&]() -> std::string {
@@ -99,10 +100,13 @@ std::string checkBoundaries(const fs::path& caseDir, const Dictionary& boundarie
     readPeriodic(boundaries, particles.get<int>("dimension"));
     if (!boundaries.found("walls")) return "";
     const Dictionary& conditions = boundaries.subDict("walls");
-    const auto walls = particles.found("walls") ? particles.subDict("walls").keywords() : std::vector<std::string>{};
+    const auto walls = particles.found("walls") ? particles.subDict("walls").keywords()
+                                                : std::vector<std::string>{};
     for (const std::string& name : conditions.keywords()) {
         if (std::find(walls.begin(), walls.end(), name) == walls.end())
-            conditions.fail(name, fmt::format("particlesDict has no wall {}\n\nIts walls are:\n\n{}", name, listOf(walls)));
+            conditions.fail(
+                name, fmt::format("particlesDict has no wall {}\n\nIts walls are:\n\n{}", name,
+                                  listOf(walls)));
         wallConditionKeys().check(conditions.subDict(name));
     }
     return "";
@@ -112,13 +116,15 @@ std::string checkBoundaries(const fs::path& caseDir, const Dictionary& boundarie
 
 void checkDictionaries(const fs::path& caseDir, Checklist& list)
 {
-    checkFile(list, caseDir, "system/controlDict", "", [&](const Dictionary& d) { return checkControl(caseDir, d); });
+    checkFile(list, caseDir, "system/controlDict", "",
+              [&](const Dictionary& d) { return checkControl(caseDir, d); });
     checkFile(list, caseDir, "system/isphSchemes", "", checkSchemesDict);
     checkFile(list, caseDir, "system/isphSolution", "", checkSolution);
     checkFile(list, caseDir, "system/boundaryDict", "no periodic direction, walls slip",
               [&](const Dictionary& d) { return checkBoundaries(caseDir, d); });
     checkFile(list, caseDir, "constant/g", "", checkGravity);
-    checkFile(list, caseDir, "constant/transportProperties", "nu = 1e-6 m2/s, rho = 1000 kg/m3", checkTransport);
+    checkFile(list, caseDir, "constant/transportProperties", "nu = 1e-6 m2/s, rho = 1000 kg/m3",
+              checkTransport);
     checkFile(list, caseDir, "constant/porousZones", "no soil", checkZones);
     checkFile(list, caseDir, "constant/turbulenceProperties", "laminar", checkTurbulence);
     checkFile(list, caseDir, "constant/erosionProperties", "no erosion", checkErosion);

@@ -7,8 +7,9 @@
 
 namespace isph {
 
-/// system/controlDict with its function objects, isphSchemes, isphSolution, particlesDict, boundaryDict,
-/// constant/g, transportProperties, porousZones, turbulenceProperties and erosionProperties.
+/// system/controlDict with its function objects, isphSchemes, isphSolution, particlesDict,
+/// boundaryDict, constant/g, transportProperties, porousZones, turbulenceProperties and
+/// erosionProperties.
 void checkDictionaries(const std::filesystem::path& caseDir, Checklist& list);
 
 }  // namespace isph

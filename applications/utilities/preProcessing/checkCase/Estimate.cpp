@@ -27,11 +27,13 @@ Real largestSpeed(const CaseParticles& particles, const Point& gravity)
 Real stepNumber(const Dictionary& control, Real spacing, Real speed)
 {
     const Schema keys = controlDictKeys();
-    const Real duration = keys.get<Real>(control, "endTime") - control.getOrDefault("startTime", 0.0, dims::time);
+    const Real duration =
+        keys.get<Real>(control, "endTime") - control.getOrDefault("startTime", 0.0, dims::time);
     Real step = keys.get<Real>(control, "deltaT");
     if (control.getOrDefault("adjustTimeStep", false)) {
         step = keys.get<Real>(control, "maxCo") * spacing / std::max(speed, 1e-30);
-        if (control.found("maxDeltaT")) step = std::min(step, control.get<Real>("maxDeltaT", dims::time));
+        if (control.found("maxDeltaT"))
+            step = std::min(step, control.get<Real>("maxDeltaT", dims::time));
     }
     return std::ceil(std::max(0.0, duration) / step);
 }
@@ -49,12 +51,15 @@ void printEstimate(const CaseSetup& setup, const CaseParticles& particles, const
                    const std::filesystem::path& caseDir)
 {
     const Dictionary control = Dictionary::read(caseDir / "system" / "controlDict");
-    const ParticleNumbers numbers{particles.water.x.size(), particles.walls.size(), particles.soil.x.size()};
-    const Real neighbours = neighbourNumber(setup.clearRadius, setup.geometry.spacing, setup.geometry.dimension);
-    const Real steps = stepNumber(control, setup.geometry.spacing, largestSpeed(particles, gravity));
+    const ParticleNumbers numbers{particles.water.x.size(), particles.walls.size(),
+                                  particles.soil.x.size()};
+    const Real neighbours =
+        neighbourNumber(setup.clearRadius, setup.geometry.spacing, setup.geometry.dimension);
+    const Real steps =
+        stepNumber(control, setup.geometry.spacing, largestSpeed(particles, gravity));
     const Real seconds = steps * stepTime(numbers, neighbours, threadCount());
-    info("\nExpected memory: {:.0f} MB   time: {} ({:.0f} steps, {} threads)", 1e-6 * runMemory(numbers, neighbours),
-         duration(seconds), steps, threadCount());
+    info("\nExpected memory: {:.0f} MB   time: {} ({:.0f} steps, {} threads)",
+         1e-6 * runMemory(numbers, neighbours), duration(seconds), steps, threadCount());
 }
 
 }  // namespace isph

@@ -5,8 +5,8 @@
 
 namespace isph {
 
-/// Prints both. Steps follow from controlDict: deltaT, or with adjustTimeStep maxCo at the speed sqrt(2 g H)
-/// of water that falls through its own height, or at the speed it has.
+/// Prints both. Steps follow from controlDict: deltaT, or with adjustTimeStep maxCo at the speed
+/// sqrt(2 g H) of water that falls through its own height, or at the speed it has.
 void printEstimate(const CaseSetup& setup, const CaseParticles& particles, const Point& gravity,
                    const std::filesystem::path& caseDir);
 

@@ -40,7 +40,8 @@ int checkAll(const std::filesystem::path& caseDir)
     CaseParticles particles;
     const bool hasParticles = list.check("reading or laying them", [&]() -> std::string {
         particles = particlesOf(setup, caseDir);
-        return particles.fromFiles ? "those of 0/" : "as createParticles would lay them; 0/ has none";
+        return particles.fromFiles ? "those of 0/"
+                                   : "as createParticles would lay them; 0/ has none";
     });
     const Point gravity = gravityOf(caseDir);
     if (hasParticles) checkParticles(setup, particles, gravity, list);
@@ -54,8 +55,10 @@ int checkAll(const std::filesystem::path& caseDir)
 int main(int argc, char* argv[])
 {
     try {
-        CommandLine line("checkCase", "Checks the dictionaries of a case against the keys of their readers, its walls "
-                                      "against the kernel, and estimates memory and time of the run.");
+        CommandLine line(
+            "checkCase",
+            "Checks the dictionaries of a case against the keys of their readers, its walls "
+            "against the kernel, and estimates memory and time of the run.");
         if (const auto exitCode = line.parse(argc, argv)) return *exitCode;
         line.printBanner();
         const int failures = checkAll(line.caseDir());

@@ -14,7 +14,8 @@ namespace {
 
 Dictionary readOptional(const std::filesystem::path& file)
 {
-    return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary::parse("", file.string());
+    return std::filesystem::exists(file) ? Dictionary::read(file)
+                                         : Dictionary::parse("", file.string());
 }
 
 /// Radius of the kernel in clear water.
@@ -22,8 +23,10 @@ Real clearRadius(const Dictionary& schemes, Real spacing)
 {
     checkSchemes(schemes);
     Dictionary choice = schemes;
-    if (!choice.found("kernel")) choice.set("kernel", schemeKeys().get<std::string>(schemes, "kernel"));
-    return Kernel::select(choice)->supportRadius() * schemeKeys().get<Real>(schemes, "smoothingRatio") * spacing;
+    if (!choice.found("kernel"))
+        choice.set("kernel", schemeKeys().get<std::string>(schemes, "kernel"));
+    return Kernel::select(choice)->supportRadius() *
+           schemeKeys().get<Real>(schemes, "smoothingRatio") * spacing;
 }
 
 /// Of the zones that the case has soil of; 1 without soil.
@@ -39,7 +42,8 @@ Real leastPorosity(const CaseGeometry& g, const std::vector<ZonePorosity>& zones
 void loadCaseLibraries(const std::filesystem::path& controlDict)
 {
     if (!std::filesystem::exists(controlDict)) return;
-    for (const std::string& name : Dictionary::read(controlDict).getOrDefault("libs", std::vector<std::string>{}))
+    for (const std::string& name :
+         Dictionary::read(controlDict).getOrDefault("libs", std::vector<std::string>{}))
         loadLibrary(name);
 }
 
@@ -59,7 +63,8 @@ CaseSetup readCase(const std::filesystem::path& caseDir)
             setup.zones.push_back({name, PorousModel::select(zones.subDict(name))->porosity()});
     const CaseGeometry& g = setup.geometry;
     setup.clearRadius = clearRadius(readOptional(caseDir / "system" / "isphSchemes"), g.spacing);
-    setup.supportRadius = setup.clearRadius / std::pow(leastPorosity(g, setup.zones), 1.0 / g.dimension);
+    setup.supportRadius =
+        setup.clearRadius / std::pow(leastPorosity(g, setup.zones), 1.0 / g.dimension);
     return setup;
 }
 

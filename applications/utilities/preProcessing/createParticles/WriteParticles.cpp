@@ -53,7 +53,8 @@ ParticleFile wallFile(const CaseGeometry& g, const WallParticles& walls)
     return file;
 }
 
-ParticleFile soilFile(const CaseGeometry& g, const SoilParticles& soil, const std::vector<ZonePorosity>& zones)
+ParticleFile soilFile(const CaseGeometry& g, const SoilParticles& soil,
+                      const std::vector<ZonePorosity>& zones)
 {
     ParticleFile file = fileOf(g, soil.x);
     file.integers["zone"] = wide(soil.zone);

@@ -11,8 +11,9 @@ int main(int argc, char* argv[])
 {
     using namespace isph;
     try {
-        CommandLine line("createParticles", "Fills 0/ with particles of water, walls and soil as system/particlesDict "
-                                            "describes them, and reports numbers and volumes.");
+        CommandLine line("createParticles",
+                         "Fills 0/ with particles of water, walls and soil as system/particlesDict "
+                         "describes them, and reports numbers and volumes.");
         if (const auto exitCode = line.parse(argc, argv)) return *exitCode;
         line.printBanner();
 
