@@ -11,6 +11,7 @@ constexpr Real kSurfaceShare = 0.85;    // phi at a bed particle: 0.74 in the to
 constexpr Real kSight = 2;              // in d0: how far a grain sees water
 constexpr Real kClearPorosity = 0.7;    // water with fewer grains around it is that of the flow
 constexpr Real kLeastWater = 0.3;       // volume of it in d0^D for a bed particle to be wet
+constexpr Real kRepulsion = 15;         // of grains denser than intact soil, in d0 w_s grad C
 constexpr Real kPacked = 0.7;           // of intact soil, the particle itself not counted (it has 0.25)
 
 /// Volume mean of the velocity of water of at least that porosity within reach of x, and its volume.
@@ -101,11 +102,19 @@ void Erosion<Dim>::move(const WaterAround<Dim>& water, const PorousField<Dim>& f
         Vec<Dim> u = soil.u[k] + dt * water.gravity;
         if (seen.volume >= leastWater)
             u = (soil.u[k] + dt * reduced + (dt / tau) * seen.u) / (1 + dt / tau);
+        const SoilSums<Dim> here = field.at(soil.x[k], -1);
         const SoilSums<Dim> around = field.at(soil.x[k] + dt * u, k);
         const Real intact = 1 - field.zones()[static_cast<std::size_t>(soil.zone[k])].porosity;
         if (around.solid / around.open > kPacked * intact || around.open < Real(0.6)) {
             const Vec<Dim> into = unit(around.gradSolid);   // towards more solids, or the wall
             u -= std::max(Real(0), dot(u, into)) * into;
+        }
+        // Grains that are denser than the bed push each other apart, at most as fast as they settle.
+        const Real surplus = here.solid / here.open / intact - 1;
+        if (surplus > 0) {
+            const Vec<Dim> push = (-kRepulsion * spacing_ * fall * surplus) * here.gradSolid;
+            const Real speed = norm(push);
+            u += speed > fall ? (fall / speed) * push : push;
         }
         uNew[k] = u;
     });
