@@ -4,7 +4,6 @@
 #include "integrator/Corrector.hpp"
 #include "integrator/Predictor.hpp"
 #include "integrator/Shifting.hpp"
-#include "operators/StrainRate.hpp"
 
 #include <cmath>
 
@@ -24,11 +23,13 @@ StepReport DragImplicitStep<Dim>::advance(Real dt, Real dtOld)
     const StepWeights weights{dt, dtOld > 0 ? dt / dtOld : 0};
     move(weights, report);
     this->look();
-    dragAndEddies();
-    if (scene_.porous)
+    this->eddies();
+    if (scene_.porous) {
+        drag();
         project(WaterInSoil<Dim>{weights.dtPrime(), fields_.soil, fields_.resistance}, weights, report);
-    else
+    } else {
         project(ClearWater<Dim>{weights.dtPrime()}, weights, report);
+    }
     const auto timer = timers_.scope("collisions and shifting");
     collide<Dim>(scene_.scheme, fields_, scene_.wallCloud.normal, scene_.wallCloud.depth, scene_.water);
     report.continuity = shift(*scene_.kernel, scene_.scheme, dt, fields_, scene_.water);
@@ -48,33 +49,18 @@ void DragImplicitStep<Dim>::move(const StepWeights& weights, StepReport& report)
         parallelFor(water.size(), [&](Index i) { water.x[i] = scene_.box.wrap(water.x[i]); });
 }
 
-/// r_i = a_i + b_i |v_i| of the step's start, and the eddy viscosity.                (3.4), (8.1)
+/// r_i = a_i + b_i |v_i| of the step's start.                                             (3.4)
 template <int Dim>
-void DragImplicitStep<Dim>::dragAndEddies()
+void DragImplicitStep<Dim>::drag()
 {
     const Points<Dim>& points = fields_.points;
     const auto& u = scene_.water.u;
     auto& soil = fields_.soil;
-    if (scene_.porous) {
-        fields_.resistance.resize(points.fluid);
-        parallelFor(points.water, [&](Index i) {
-            fields_.resistance[i] = soil.linear[i] + soil.quadratic[i] * soil.porosity[i] * norm(u[i]);
-        });
-        points.refresh(fields_.resistance);
-    }
-    if (scene_.turbulence) {
-        const auto timer = timers_.scope("turbulence");
-        std::vector<Vec<Dim>> all(u);
-        std::vector<Real> rate;
-        all.resize(points.fluid);
-        points.refresh(all);
-        strainRate<Dim>(points, fields_.pairs, fields_.corrections, all, rate);
-        fields_.eddyViscosity.resize(points.fluid);
-        scene_.turbulence->eddyViscosity(rate, Span<const Real>(soil.porosity).first(rate.size()),
-                                         scene_.scheme.spacing,
-                                         Span<Real>(fields_.eddyViscosity).first(rate.size()));
-        points.refresh(fields_.eddyViscosity);
-    }
+    fields_.resistance.resize(points.fluid);
+    parallelFor(points.water, [&](Index i) {
+        fields_.resistance[i] = soil.linear[i] + soil.quadratic[i] * soil.porosity[i] * norm(u[i]);
+    });
+    points.refresh(fields_.resistance);
 }
 
 template <int Dim>
@@ -91,7 +77,9 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     const Water<Dim> before = repeats > 1 ? scene_.water : Water<Dim>{};
     for (int k = 0; k < repeats; ++k) {
         if (k > 0) scene_.water.u = before.u, scene_.water.uOld = before.uOld;
-        solvePressure(medium, report);
+        const PressureSource<Dim> source{fields_.v, scene_.water.forceGradient, divergence_,
+                                         scene_.scheme.force};
+        pressure_.solve(scene_, medium, source, {}, timers_, fields_, report);
         const auto timer = timers_.scope("corrector");
         correct(medium, scene_.scheme, fields_, scene_.water);
     }
@@ -126,35 +114,6 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
         if (role == SurfaceRole::inner) error[i] = sqr(surplus);
     });
     report.densityError = std::sqrt(orderedSum(n, [&](Index i) { return error[i]; }) / std::max<Index>(1, n));
-}
-
-template <int Dim>
-void DragImplicitStep<Dim>::solvePressure(const auto& medium, StepReport& report)
-{
-    const Points<Dim>& points = fields_.points;
-    Water<Dim>& water = scene_.water;
-    {
-        const auto timer = timers_.scope("pressure assembly");
-        rows_.number(fields_.role, points.water);
-        const PressureSource<Dim> source{fields_.v, water.forceGradient, divergence_, scene_.scheme.force};
-        assemble(points, fields_.pairs, fields_.corrections, fields_.role, medium, source, rows_, matrix_,
-                 rhs_, anchored_);
-    }
-    const auto timer = timers_.scope("pressure solve");
-    unknown_.resize(rows_.size());
-    parallelFor(rows_.size(), [&](Index r) { unknown_[r] = water.p[rows_.particle[r]] / scene_.scheme.density; });
-    const FloatingComponents& floating = components_.find(matrix_, anchored_);
-    makeSolvable(matrix_, rhs_, floating);
-    report.pressure = scene_.solver->solve(matrix_, rhs_, unknown_);
-    removeMean(unknown_, floating);
-    report.unknowns = rows_.size();
-    report.surfaceParticles = points.water - static_cast<Index>(rows_.size());
-    fields_.p.resize(points.fluid);
-    parallelFor(points.water, [&](Index i) {
-        fields_.p[i] = rows_.row[i] < 0 ? 0 : unknown_[rows_.row[i]];
-        water.p[i] = scene_.scheme.density * fields_.p[i];
-    });
-    points.refresh(fields_.p);
 }
 
 template class DragImplicitStep<2>;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "integrator/PressureStage.hpp"
 #include "integrator/ProjectionStep.hpp"
-#include "pressure/Components.hpp"
-#include "pressure/PressureEquation.hpp"
 
 namespace isph {
 
@@ -21,17 +20,12 @@ private:
     using ProjectionStep<Dim>::latticeFilling_;
 
     void move(const StepWeights& weights, StepReport& report);
-    void dragAndEddies();
+    void drag();
     template <class Medium>
     void project(const Medium& medium, const StepWeights& weights, StepReport& report);
     void densitySource(const auto& medium, StepReport& report);
-    void solvePressure(const auto& medium, StepReport& report);
-
-    PressureRows rows_;
-    ComponentFinder components_;
-    SymmetricMatrix matrix_;
-    std::vector<Real> rhs_, unknown_, divergence_;
-    std::vector<char> anchored_;
+    PressureStage<Dim> pressure_;
+    std::vector<Real> divergence_;   ///< wanted after the step [1/s]
 };
 
 extern template class DragImplicitStep<2>;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrator/ProjectionStep.hpp"
 
+#include "operators/StrainRate.hpp"
+
 #include <cmath>
 
 namespace isph {
@@ -60,6 +62,26 @@ void ProjectionStep<Dim>::look()
         const auto refresh = [&](auto& field) { field.resize(points.fluid), points.refresh(field); };
         refresh(soil.porosity), refresh(soil.share), refresh(soil.mobility), refresh(soil.normal);
     }
+}
+
+template <int Dim>
+void ProjectionStep<Dim>::eddies()
+{
+    if (!scene_.turbulence) return;
+    const Points<Dim>& points = fields_.points;
+    const auto& soil = fields_.soil;
+    const auto& u = scene_.water.u;
+    const auto timer = timers_.scope("turbulence");
+    std::vector<Vec<Dim>> all(u);
+    std::vector<Real> rate;
+    all.resize(points.fluid);
+    points.refresh(all);
+    strainRate<Dim>(points, fields_.pairs, fields_.corrections, all, rate);
+    fields_.eddyViscosity.resize(points.fluid);
+    scene_.turbulence->eddyViscosity(rate, Span<const Real>(soil.porosity).first(rate.size()),
+                                     scene_.scheme.spacing,
+                                     Span<Real>(fields_.eddyViscosity).first(rate.size()));
+    points.refresh(fields_.eddyViscosity);
 }
 
 template class ProjectionStep<2>;

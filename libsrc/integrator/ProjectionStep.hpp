@@ -32,6 +32,9 @@ public:
     const StepFields<Dim>& fields() const { return fields_; }
 
 protected:
+    /// nu_T of water and images; nothing without a turbulence model.                     (8.1)
+    void eddies();
+
     Scene<Dim>& scene_;
     Timers& timers_;
     WallGuard<Dim> guard_;

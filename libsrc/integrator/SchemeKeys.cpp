@@ -80,6 +80,12 @@ Projection readProjection(const Dictionary& schemes)
                                                                            : Projection::dragImplicit;
 }
 
+PaperDrag readPaperDrag(const Dictionary& schemes)
+{
+    const auto drag = paperKeys().get<std::string>(optionalPart(schemes, "paperCoeffs"), "drag");
+    return drag == "explicit" ? PaperDrag::explicitly : PaperDrag::semiImplicit;
+}
+
 template <int Dim>
 Scheme<Dim> readScheme(const Dictionary& schemes, const WaterProperties& water)
 {

@@ -7,6 +7,7 @@
 namespace isph {
 
 enum class Projection { dragImplicit, paper };
+enum class PaperDrag { explicitly, semiImplicit };
 
 Schema schemeKeys();          ///< system/isphSchemes
 Schema stabilisationKeys();   ///< its stabilisation
@@ -19,6 +20,7 @@ Schema solutionKeys();        ///< system/isphSolution
 void checkSchemes(const Dictionary& schemes);
 
 Projection readProjection(const Dictionary& schemes);
+PaperDrag readPaperDrag(const Dictionary& schemes);   ///< of projection paper
 
 /// What the scheme is made of besides isphSchemes.
 struct WaterProperties {

@@ -10,6 +10,7 @@
 #include "erosion/Erosion.hpp"
 #include "functionObjects/FunctionObjectList.hpp"
 #include "integrator/DragImplicitStep.hpp"
+#include "integrator/PaperStep.hpp"
 #include "integrator/TimeStep.hpp"
 #include "output/TimeFolders.hpp"
 
@@ -20,8 +21,10 @@ namespace isph {
 namespace {
 
 template <int Dim>
-std::unique_ptr<ProjectionStep<Dim>> makeStep(const CaseFiles&, Scene<Dim>& scene, Timers& timers)
+std::unique_ptr<ProjectionStep<Dim>> makeStep(const CaseFiles& files, Scene<Dim>& scene, Timers& timers)
 {
+    if (readProjection(files.schemes) == Projection::paper)
+        return std::make_unique<PaperStep<Dim>>(scene, readPaperDrag(files.schemes), timers);
     return std::make_unique<DragImplicitStep<Dim>>(scene, timers);
 }
 

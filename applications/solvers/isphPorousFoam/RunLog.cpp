@@ -43,6 +43,7 @@ void logScene(const CaseFiles& files, const Scene<Dim>& scene)
          scheme.h0 / scheme.spacing);
     info("Water: rho = {:g} kg/m3, nu = {:g} m2/s, g + body force = ({:g}) m/s2", scheme.density,
          scheme.viscosity, fmt::join(scheme.force.c, " "));
+    info("Projection: {}", schemeKeys().get<std::string>(files.schemes, "projection"));
     info("Stabilisation: {}, relaxation time {:g} s", describe(scheme.stabilisation), scheme.relaxationTime);
     info("Pressure solver: {}", files.solution.subDict("pressure").template get<std::string>("solver"));
     if (scene.porous) {
@@ -62,8 +63,9 @@ void logScene(const CaseFiles& files, const Scene<Dim>& scene)
     parts.add(scene.turbulence != nullptr, "turbulence", "laminar");
     parts.add(files.hasErosion, "erosion", "no constant/erosionProperties");
     parts.add(scheme.stabilisation != Stabilisation::none, "density stabilisation", "type none");
-    parts.add(scheme.shifting > 0, "shifting", "coefficient 0");
-    parts.add(scheme.dissipation > 0, "dissipation", "coefficient 0");
+    const bool paper = readProjection(files.schemes) == Projection::paper;
+    parts.add(scheme.shifting > 0 && !paper, "shifting", paper ? "projection paper" : "coefficient 0");
+    parts.add(scheme.dissipation > 0 && !paper, "dissipation", paper ? "projection paper" : "coefficient 0");
     parts.add(Dim == 3, "z direction", "2-D");
     info("Active: {}", fmt::join(parts.active, ", "));
     info("Left out: {}\n", parts.leftOut.empty() ? "nothing" : fmt::format("{}", fmt::join(parts.leftOut, ", ")));
