@@ -43,11 +43,11 @@ struct WaterInSoil {
     Vec<Dim> normal(Index i, Index j) const { return unit(state.normal[i] + state.normal[j]); }
 
 private:
-    /// Share of the line from i to j that has the soil (or water) of i: a soil surface, phi = 1/2, cuts
-    /// it in proportion; elsewhere one half.                                         [theory (4.8)]
+    /// Share of the line from i to j that has the soil (or water) of i: a soil surface between them cuts
+    /// it in proportion to their depths; elsewhere one half.                         [theory (4.8)]
     Real weight(Index i, Index j) const
     {
-        const Real a = state.share[i] - Real(0.5), b = state.share[j] - Real(0.5);
+        const Real a = state.depth[i], b = state.depth[j];
         return a * b < 0 ? a / (a - b) : Real(0.5);
     }
     Real pairMobility(Index i, Index j) const

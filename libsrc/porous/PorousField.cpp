@@ -19,6 +19,15 @@ Real clampedShare(Real share)
     return std::clamp((share - kClampCentre) / kClampWidth + Real(0.5), Real(0), Real(1));
 }
 
+/// Depth into the bed in d0. Across a flat surface phi is close to a normal distribution of standard
+/// deviation 0.79 d0; its logistic twin is inverted, as far as phi still tells a depth. [theory (4.8)]
+Real depthOf(Real share)
+{
+    constexpr Real width = 0.79 / 1.7, most = 2.2;
+    const Real bounded = std::clamp(share, Real(1e-3), Real(1 - 1e-3));
+    return std::clamp(width * std::log(bounded / (1 - bounded)), -most, most);
+}
+
 /// sum_j d0^D W(x_j) over a full lattice with a point at x = 0.
 template <int Dim>
 Real latticeSum(const Kernel& kernel, Real hOverSpacing)
@@ -165,6 +174,7 @@ void PorousField<Dim>::setParticle(const SoilSums<Dim>& s, const std::vector<Rea
     }
     state.porosity[i] = eps;
     state.share[i] = share;
+    state.depth[i] = depthOf(share);
     state.linear[i] = a;
     state.quadratic[i] = b;
     state.mobility[i] = eps / inertia;
@@ -176,7 +186,7 @@ template <int Dim>
 void PorousField<Dim>::evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state) const
 {
     const std::size_t n = x.size();
-    state.porosity.resize(n), state.share.resize(n), state.linear.resize(n);
+    state.porosity.resize(n), state.share.resize(n), state.depth.resize(n), state.linear.resize(n);
     state.quadratic.resize(n), state.mobility.resize(n), state.normal.resize(n);
     state.solidsDivergence.resize(anyReleased_ ? n : 0);
 #pragma omp parallel

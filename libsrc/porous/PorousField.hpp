@@ -26,6 +26,7 @@ template <int Dim>
 struct PorousState {
     std::vector<Real> porosity;     ///< eps, 1 in clear water
     std::vector<Real> share;        ///< phi of the bed: 0 in water, 1 in soil
+    std::vector<Real> depth;        ///< into the bed in d0, by phi: < 0 in water, 0 at its surface
     std::vector<Real> linear;       ///< a [1/s]
     std::vector<Real> quadratic;    ///< b [1/m]
     std::vector<Real> mobility;     ///< k = eps/C_r(eps)
