@@ -33,6 +33,7 @@ public:
           spacing_(x.size(), d0_),
           volume_(x.size(), g_.cellVolume()),
           excess_(x.size(), 0),
+          atMost_(x.size(), std::numeric_limits<Real>::max()),
           latticeSum_(latticeSum())
     {
         for (std::size_t i = 0; i < x_.size(); ++i)
@@ -202,15 +203,22 @@ private:
 
     /// Moves i by `by`, but nearer than `margin` to the faces of its part only along them; one that
     /// is too near goes back inwards.
-    Point moved(std::size_t i, Point by) const
+    Point moved(std::size_t i, Point by)
     {
-        const Real keep = margin * spacing_[i], before = task_.own(i, x_[i]);
-        if (before < -keep && task_.own(i, x_[i] + by) < -keep) return x_[i] + by;
+        const Real keep = margin * spacing_[i];
+        atMost_[i] += norm(by);  // distances change no faster than places
+        if (atMost_[i] < -keep) return x_[i] + by;
+        const Real before = task_.own(i, x_[i]), after = task_.own(i, x_[i] + by);
+        if (before < -keep && after < -keep) {
+            atMost_[i] = after;
+            return x_[i] + by;
+        }
         const Point n = outward(i);
         by = by - dot(by, n) * n;
         if (before > -keep) by -= std::min(0.05 * spacing_[i], before + keep) * n;
+        atMost_[i] = std::max(before, -keep);
         const Point x = x_[i] + by;
-        return task_.own(i, x) <= std::max(before, -keep) ? x : x_[i];
+        return task_.own(i, x) <= atMost_[i] ? x : x_[i];
     }
 
     /// One sweep over all mobile particles at once; the largest step in local spacings.
@@ -240,6 +248,7 @@ private:
     PackingKernel kernel_;
     std::vector<Point>& x_;
     std::vector<Real> spacing_, volume_, excess_;
+    std::vector<Real> atMost_;  ///< a bound of own() at x
     Real latticeSum_;
     std::vector<std::size_t> mobile_;
     std::vector<Point> outside_;

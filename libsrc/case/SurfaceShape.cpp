@@ -6,14 +6,10 @@
 #include <fmt/core.h>
 #include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
-#include <vtkCutter.h>
 #include <vtkFeatureEdges.h>
 #include <vtkIdList.h>
-#include <vtkImplicitPolyDataDistance.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
-#include <vtkObject.h>
-#include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkSTLReader.h>
@@ -22,7 +18,6 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
-#include <mutex>
 
 namespace isph {
 
@@ -100,68 +95,47 @@ void forEachTriangle(vtkPolyData& surface, F&& f)
     }
 }
 
-Point crossProduct(const Point& a, const Point& b)
+TriangleTree treeOf(vtkPolyData& surface)
 {
-    return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+    std::vector<Point> corners(static_cast<std::size_t>(surface.GetNumberOfPoints()));
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        surface.GetPoint(static_cast<vtkIdType>(i), corners[i].c.data());
+    std::vector<TriangleTree::Triangle> triangles;
+    vtkNew<vtkIdList> ids;
+    vtkCellArray* polys = surface.GetPolys();
+    for (polys->InitTraversal(); polys->GetNextCell(ids);)
+        triangles.push_back({static_cast<Index>(ids->GetId(0)), static_cast<Index>(ids->GetId(1)),
+                             static_cast<Index>(ids->GetId(2))});
+    Real volume = 0;
+    for (const auto& t : triangles)
+        volume += dot(corners[t[0]], crossProduct(corners[t[1]], corners[t[2]]));
+    if (volume < 0)  // inside out
+        for (auto& t : triangles) std::swap(t[1], t[2]);
+    return TriangleTree(std::move(corners), std::move(triangles));
 }
 
 }  // namespace
 
-struct SurfaceShape::Content {
-    vtkSmartPointer<vtkPolyData> surface;
-    vtkNew<vtkImplicitPolyDataDistance> distance;
-    mutable std::mutex oneAtATime;  // VTK's evaluation is not for several threads
-    BoundingBox bounds;
-    Real volume = 0;
-};
-
-SurfaceShape::SurfaceShape(const std::filesystem::path& file)
-    : content_(std::make_unique<Content>())
+SurfaceShape::SurfaceShape(const std::filesystem::path& file) : tree_(treeOf(*closedSurface(file)))
 {
-    content_->surface = closedSurface(file);
-    content_->distance->SetInput(content_->surface);
-    forEachTriangle(*content_->surface, [&](const Point& a, const Point& b, const Point& c) {
-        for (const Point& p : {a, b, c}) content_->bounds.include(p);
-        content_->volume += dot(a, crossProduct(b, c)) / 6;
-    });
 }
-
-SurfaceShape::~SurfaceShape() = default;
 
 Real SurfaceShape::signedDistance(const Point& x) const
 {
-    Point p = x;
-    const std::lock_guard lock(content_->oneAtATime);
-    return content_->distance->EvaluateFunction(p.c.data());
+    return tree_.nearest(x).distance;
 }
 
 Point SurfaceShape::nearestPoint(const Point& x) const
 {
-    Point p = x, nearest;
-    const std::lock_guard lock(content_->oneAtATime);
-    content_->distance->EvaluateFunctionAndGetClosestPoint(p.c.data(), nearest.c.data());
-    return nearest;
+    return tree_.nearest(x).point;
 }
 
 Point SurfaceShape::normal(const Point& x) const
 {
-    const Point away = x - nearestPoint(x);
-    if (norm(away) > 1e-9 * norm(content_->bounds.size()))
-        return signedDistance(x) < 0 ? -unit(away) : unit(away);
-    Point p = x, n;
-    const std::lock_guard lock(content_->oneAtATime);
-    content_->distance->EvaluateGradient(p.c.data(), n.c.data());
-    return unit(n);
-}
-
-BoundingBox SurfaceShape::bounds() const
-{
-    return content_->bounds;
-}
-
-std::optional<Real> SurfaceShape::volume() const
-{
-    return std::fabs(content_->volume);
+    const TriangleTree::Foot foot = tree_.nearest(x);
+    if (std::fabs(foot.distance) > 1e-9 * norm(tree_.bounds().size()))
+        return (x - foot.point) / foot.distance;
+    return unit(foot.normal);
 }
 
 std::unique_ptr<Shape> surfaceSection(const std::filesystem::path& file, std::optional<Real> z)

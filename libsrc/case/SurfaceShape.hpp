@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closed surfaces of triangles from STL, OBJ and VTP files.
 #pragma once
-#include "case/Shape.hpp"
+#include "case/TriangleTree.hpp"
 
 namespace isph {
 
@@ -12,18 +12,16 @@ public:
     /// closed
     ///         (names the file and the number of open edges)
     explicit SurfaceShape(const std::filesystem::path& file);
-    ~SurfaceShape() override;
 
     Real signedDistance(const Point& x) const override;
     Point nearestPoint(const Point& x) const override;
     Point normal(const Point& x) const override;
-    BoundingBox bounds() const override;
-    std::optional<Real> volume() const override;  ///< of the triangles, by the divergence theorem
+    BoundingBox bounds() const override { return tree_.bounds(); }
+    std::optional<Real> volume() const override { return tree_.volume(); }
     std::vector<Edge> contour(Real) const override { return {}; }
 
 private:
-    struct Content;
-    std::unique_ptr<Content> content_;
+    TriangleTree tree_;
 };
 
 /// The section of a closed surface by the plane z, by default through its middle, as a 2-D shape.

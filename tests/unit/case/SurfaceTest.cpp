@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Scene.hpp"
 
+#include <random>
+
 using namespace isph;
 using namespace isph::test;
 
@@ -91,4 +93,38 @@ TEST(Surface, AnObjFileIsReadToo)
     std::ofstream(file)
         << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
     EXPECT_NEAR(*shapeOf(cubeText("isphTest.obj"), 3)->volume(), 1.0 / 6, 1e-7);
+}
+
+TEST(Surface, ANotchedPrismHasTheDistancesOfTheExtrudedPolygon)
+{
+    // an L from z = 0 to 1, in triangles; its inner edge is where the nearest feature tells the
+    // side
+    const Real corner[6][2] = {{0, 0}, {1, 0}, {1, 0.4}, {0.4, 0.4}, {0.4, 1}, {0, 1}};
+    const int cap[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
+    std::ofstream out(std::filesystem::temp_directory_path() / "isphTestPrism.obj");
+    for (int z = 0; z < 2; ++z)
+        for (const auto& c : corner) out << "v " << c[0] << ' ' << c[1] << ' ' << z << '\n';
+    for (const auto& t : cap) {
+        out << "f " << t[2] + 1 << ' ' << t[1] + 1 << ' ' << t[0] + 1 << '\n';
+        out << "f " << t[0] + 7 << ' ' << t[1] + 7 << ' ' << t[2] + 7 << '\n';
+    }
+    for (int k = 0; k < 6; ++k) {
+        const int a = k + 1, b = (k + 1) % 6 + 1;
+        out << "f " << a << ' ' << b << ' ' << b + 6 << "\nf " << a << ' ' << b + 6 << ' ' << a + 6
+            << '\n';
+    }
+    out.close();
+    const auto prism = shapeOf(cubeText("isphTestPrism.obj"), 3);
+    const auto polygon = shapeOf(
+        "type polygon; zMin 0; zMax 1;"
+        "points ((0 0) (1 0) (1 0.4) (0.4 0.4) (0.4 1) (0 1));",
+        3);
+    EXPECT_NEAR(*prism->volume(), *polygon->volume(), 1e-6);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<Real> u(-0.5, 1.5);
+    for (int i = 0; i < 2000; ++i) {
+        const Point x{{u(random), u(random), u(random)}};
+        EXPECT_NEAR(prism->signedDistance(x), polygon->signedDistance(x),
+                    1e-6);  // single precision
+    }
 }
