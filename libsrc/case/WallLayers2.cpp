@@ -10,6 +10,7 @@ namespace isph {
 
 namespace {
 
+constexpr Real seam = 1e-6;    // of d0: where two bodies touch there is no surface
 constexpr Real closest = 0.6;  // of d0: two wall particles are not nearer than this
 
 Point lifted(const Vec<2>& x)
@@ -77,7 +78,10 @@ private:
         return best;
     }
 
-    bool inBody(const Vec<2>& x) const { return g_.bodyDistance(g_.wrapped(lifted(x))) < 0; }
+    bool inBody(const Vec<2>& x) const
+    {
+        return g_.bodyDistance(g_.wrapped(lifted(x))) < seam * d0_;
+    }
 
     void place(const Vec<2>& x, Real depth, Real volume)
     {

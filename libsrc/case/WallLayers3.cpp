@@ -10,6 +10,7 @@ namespace isph {
 
 namespace {
 
+constexpr Real seam = 1e-6;    // of d0: where two bodies touch there is no surface
 constexpr Real closest = 0.6;  // of d0: two wall particles are not nearer than this
 
 class Layers3 {
@@ -41,7 +42,7 @@ private:
     {
         for (std::size_t c = 0; c < candidates.x.size(); ++c) {
             const Point& x = candidates.x[c];
-            if (!limits_.contains(x, 1e-9 * d0_) || g_.bodyDistance(x) >= 0) continue;
+            if (!limits_.contains(x, 1e-9 * d0_) || g_.bodyDistance(x) > seam * d0_) continue;
             const WetSurface::Foot foot = surface_.foot(x);
             if (foot.wall < 0 || foot.distance > depth_) continue;  // too deep to be seen
             if (foot.distance < 0.35 * d0_ || placed_.nearest(x, closest * d0_) >= 0) {

@@ -141,6 +141,19 @@ TEST(WallLayers, BetweenABodyAndTheFloorItStandsOnThereIsNoSurface)
     EXPECT_TRUE(besideToe) << "the layers do not close below the toe of the caisson";
 }
 
+TEST(WallLayers, TwoBodiesSideBySideHaveNoSeam)
+{
+    const CaseGeometry g = geometryOf(plane +
+                                      "walls { a { type box; min (0 0 0); max (0.1 0.2 0); }"
+                                      "        b { type box; min (0.1 0 0); max (0.2 0.2 0); } }");
+    const CaseGeometry one =
+        geometryOf(plane + "walls { a { type box; min (0 0 0); max (0.2 0.2 0); } }");
+    const WallParticles pair = layWalls(g, 0.03), whole = layWalls(one, 0.03);
+    ASSERT_EQ(pair.size(), whole.size());
+    const PointGrid grid(0.02, pair.x);
+    for (const Point& x : whole.x) EXPECT_GE(grid.nearest(x, 1e-9), 0);
+}
+
 TEST(WallLayers, APlateOfAnOddNumberOfSpacingsIsFilledOnce)
 {
     const CaseGeometry g =

@@ -98,7 +98,7 @@ std::string checkThickness(const CaseSetup& setup, const CaseParticles& particle
         for (Real depth = 0.5 * d0; depth < needed; depth += 0.25 * d0) {
             const Point x = surface - depth * particles.walls.normal[i];
             const std::string wall = g.walls[particles.walls.wall[i]].name();
-            if (g.bodyDistance(g.wrapped(x)) >= 0) {  // out on the other side
+            if (g.bodyDistance(g.wrapped(x)) > 1e-6 * d0) {  // out on the other side
                 if (depth + d0 < setup.supportRadius &&
                     flood.reached(surface - (depth + d0) * particles.walls.normal[i]))
                     throw FatalError(fmt::format(

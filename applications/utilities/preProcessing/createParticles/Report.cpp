@@ -63,6 +63,12 @@ void reportWalls(const CaseSetup& setup, const WallParticles& walls)
     for (std::size_t w = 0; w < g.walls.size(); ++w)
         info("    {:<16} {:<28} {:>9} particles", g.walls[w].name(),
              g.walls[w].fluidInside() ? "fluid inside" : "fluid outside", count[w]);
+    for (std::size_t w = 0; w < g.walls.size(); ++w)
+        if (count[w] == 0)
+            warning(
+                "the wall {} has no particles: it is thinner than the spacing, or no water can "
+                "touch it. checkCase tells which.",
+                g.walls[w].name());
     if (walls.size() > 0) reportExtent(walls.x);
 }
 
