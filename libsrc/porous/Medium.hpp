@@ -44,7 +44,7 @@ struct WaterInSoil {
 
 private:
     /// Share of the line from i to j that has the soil (or water) of i: a soil surface between them cuts
-    /// it in proportion to their depths; elsewhere one half.                         [theory (4.8)]
+    /// it in proportion to their depths; elsewhere one half.                         [theory (4.15)]
     Real weight(Index i, Index j) const
     {
         const Real a = state.depth[i], b = state.depth[j];

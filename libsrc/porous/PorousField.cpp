@@ -20,7 +20,7 @@ Real clampedShare(Real share)
 }
 
 /// Depth into the bed in d0. Across a flat surface phi is close to a normal distribution of standard
-/// deviation 0.79 d0; its logistic twin is inverted, as far as phi still tells a depth. [theory (4.8)]
+/// deviation 0.79 d0; its logistic twin is inverted, as far as phi still tells a depth. [theory (4.15)]
 Real depthOf(Real share)
 {
     constexpr Real width = 0.79 / 1.7, most = 2.2;
