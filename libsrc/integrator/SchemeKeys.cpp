@@ -22,7 +22,7 @@ Schema stabilisationKeys()
 {
     return {Key::word("type", "relaxedDensity: alpha = dt/relaxationTime; constantAlpha: the paper's")
                 .oneOf({"relaxedDensity", "constantAlpha", "none"}).byDefault("relaxedDensity"),
-            Key::scalar("relaxationTime", "time in which density errors decay [s]; auto: 0.7 sqrt(H/g)")
+            Key::scalar("relaxationTime", "time in which density errors decay [s]; auto: 0.2 sqrt(H/g)")
                 .units(dims::time).above(0).oneOf({"auto"}).byDefault("auto"),
             Key::scalar("speedFactor", "upper bound of the decay rate in units of max|u|/d0")
                 .byDefault("1").atLeast(0),
@@ -108,7 +108,7 @@ Scheme<Dim> readScheme(const Dictionary& schemes, const WaterProperties& water)
                         || stabilisation.tokens("relaxationTime").front().text == "auto";
     const Real g = norm(scheme.force);
     if (!automatic) scheme.relaxationTime = stabilisation.get<Real>("relaxationTime", dims::time);
-    else if (g > 0) scheme.relaxationTime = 0.7 * std::sqrt(water.depth / g);
+    else if (g > 0) scheme.relaxationTime = 0.2 * std::sqrt(water.depth / g);
     else if (water.speed > 0) scheme.relaxationTime = water.spacing / water.speed;
     scheme.speedFactor = stabilisationKeys().get<Real>(stabilisation, "speedFactor");
     scheme.alpha = stabilisationKeys().get<Real>(stabilisation, "alpha");

@@ -32,7 +32,7 @@ struct WaterProperties {
     Real speed = 0;          ///< largest at the start [m/s]
 };
 
-/// The scheme of a case. relaxationTime auto is 0.7 sqrt(H/|g|) with the water's depth H at the start,
+/// The scheme of a case. relaxationTime auto is 0.2 sqrt(H/|g|) with the water's depth H at the start,
 /// and d0/U without gravity (U the largest speed at the start).                       [theory (5.5)]
 template <int Dim>
 Scheme<Dim> readScheme(const Dictionary& schemes, const WaterProperties& water);
