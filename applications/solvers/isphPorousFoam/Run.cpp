@@ -69,8 +69,10 @@ public:
         }
         const Real particleSteps = Real(time_.index() - firstIndex) * static_cast<Real>(scene_.water.size());
         logTimings(timers_, particleSteps, wallSeconds() - wallStart);
-        info("End\n");
-        return time_.exitCode();
+        const int code = time_.exitCode();
+        if (code == 0) info("End\n");
+        else info("Stopped at time {} by signal {}; started again, it goes on from there\n", time_.name(), code - 128);
+        return code;
     }
 
 private:
