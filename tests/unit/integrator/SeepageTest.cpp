@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../SceneBuilder.hpp"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+using namespace isph;
+
+namespace {
+
+/// A periodic column, its middle half soil, driven by a body force f: f L = (a v + b v^2) L/2.
+struct DarcyColumn {
+    Real D50;
+    int cells;                         ///< over the column of 1 m
+    Real f = 0.981;
+
+    Scene<2> scene() const
+    {
+        const Real d0 = 1.0 / cells, width = 12.0 / 40;
+        const std::array<int, 2> pores = {cells * 8 / 40, cells * 12 / 40};   // 0.15 m2 of soil, 0.06 m2 of pores
+        return SceneBuilder<2>(d0).force({0, -f})
+            .water({0, 0}, {width, 0.25}).waterCells({0, 0.25}, {width, 0.75}, pores).water({0, 0.75}, {width, 1})
+            .soil({0, 0.25}, {width, 0.75}, "porousModel akbari; akbariCoeffs { porosity 0.4; D50 "
+                  + fmt::format("{}", D50) + "; alphaC 1000; betaC 1.1; }")
+            .periodic({0, 0}, {width, 1}, {true, true}).build();
+    }
+    /// Mean discharge in the soil, where the share of soil is whole, over the last third [m/s]. The start
+    /// dies away at the rate a + 2 b v, 100/s in the coarsest grains.
+    Real discharge() const
+    {
+        Scene<2> s = scene();
+        Real sum = 0, volume = 0;
+        const int steps = D50 > 5e-3 ? 600 : 150;
+        advance<2>(s, 1e-3, steps, [&](int n, const StepFields<2>& fields) {
+            if (3 * n <= 2 * steps) return;
+            for (std::size_t i = 0; i < s.water.size(); ++i) {
+                if (fields.soil.share[i] < 0.95) continue;
+                sum -= fields.points.volume[i] * fields.soil.porosity[i] * s.water.u[i][1];
+                volume += fields.points.volume[i];
+            }
+        });
+        return sum / volume;
+    }
+    Real exact() const
+    {
+        const Real n = 0.4, a = 1000 * 1e-6 * sqr(1 - n) / (cube(n) * sqr(D50)), b = 1.1 * (1 - n) / (cube(n) * D50);
+        return 4 * f / (a + std::sqrt(sqr(a) + 8 * b * f));
+    }
+    Real error() const { return std::abs(discharge() / exact() - 1); }
+};
+
+class Darcy : public testing::TestWithParam<Real> {};
+
+// dt = 1 ms is 10 to 1e7 times what explicit drag would stand.
+TEST_P(Darcy, DischargeIsWithinTwoPercentAndFinerSpacingIsNoWorse)
+{
+    const Real coarse = DarcyColumn{GetParam(), 40}.error(), fine = DarcyColumn{GetParam(), 80}.error();
+    RecordProperty("errorAt40", fmt::format("{}", coarse));
+    RecordProperty("errorAt80", fmt::format("{}", fine));
+    EXPECT_LT(coarse, 0.02);
+    EXPECT_LT(fine, coarse + 0.003);   // both hold a jitter of the interface's position, some 0.3 %
+}
+
+INSTANTIATE_TEST_SUITE_P(GrainSizes, Darcy, testing::Values(1e-2, 1e-3, 1e-4, 1e-5),
+                         [](const auto& grains) { return fmt::format("{:.0f}Micrometres", grains.param * 1e6); });
+
+TEST(SandBed, IsNoNoSlipWallToTheWaterAboveIt)
+{
+    const Real d0 = 0.01, bed = 0.1, L = 0.24;
+    Scene<2> scene = SceneBuilder<2>(d0).water({0, bed}, {L, 0.2}, {1, 0}).waterCells({0, 0}, {L, bed}, {16, 6})
+        .soil({0, 0}, {L, bed}, "porousModel akbari; akbariCoeffs { porosity 0.4; D50 3e-4; alphaC 1000; betaC 1.1; }")
+        .tank({0, 0}, {L, 0.3}, [&](const Vec<2>& x) { return x[1] > 0 || x[0] < 0 || x[0] > L; })
+        .periodic({0, 0}, {L, 0.3}, {true, false}).build();
+    advance(scene, 1e-3, 300);
+    std::vector<Real> speed(20, 0), count(20, 0);
+    for (std::size_t i = 0; i < scene.water.size(); ++i) {
+        const auto layer = static_cast<std::size_t>(std::max(0.0, (scene.water.x[i][1] - bed) / d0));
+        if (scene.water.x[i][1] > bed + d0 && layer < speed.size())
+            speed[layer] += scene.water.u[i][0], count[layer] += 1;
+    }
+    int layers = 0;
+    for (std::size_t k = 1; k < speed.size(); ++k) {
+        if (count[k] < 12) continue;   // half a layer
+        ++layers;
+        EXPECT_NEAR(speed[k] / count[k], 1, 0.05) << "mean of layer " << k << " above the bed";
+    }
+    EXPECT_GE(layers, 8);
+}
+
+}  // namespace
