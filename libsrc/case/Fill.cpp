@@ -2,9 +2,9 @@
 #include "case/Fill.hpp"
 
 #include "case/BoxCells.hpp"
+#include "case/LatticeFit.hpp"
 #include "case/Packing.hpp"
 #include "case/RegionChecks.hpp"
-#include "case/RegionParts.hpp"
 #include "case/SoilField.hpp"
 
 #include <fmt/core.h>
@@ -14,24 +14,6 @@
 namespace isph {
 
 namespace {
-
-/// Parts of regions with their points.
-struct Laid {
-    std::vector<RegionPart> parts;
-    std::vector<std::size_t> region;  ///< of each part
-    std::vector<Real> porosity;       ///< of each part
-    std::vector<Point> x;
-    std::vector<std::size_t> part;  ///< of each point
-
-    void add(RegionPart p, std::size_t ofRegion, Real eps, const std::vector<Point>& points)
-    {
-        parts.push_back(std::move(p));
-        region.push_back(ofRegion);
-        porosity.push_back(eps);
-        x.insert(x.end(), points.begin(), points.end());
-        part.resize(x.size(), parts.size() - 1);
-    }
-};
 
 const ZonePorosity* zoneOf(const std::vector<ZonePorosity>& zones, const std::string& name)
 {
@@ -83,44 +65,18 @@ std::function<Real(const Point&)> outsideOf(const CaseGeometry& g,
     };
 }
 
-/// 1 beside a disturbance of the lattice, 0 from `reach` on.
-Real loosened(Real distance, Real reach)
+void packLaid(LaidPoints& laid, const CaseGeometry& g,
+              const std::function<Real(const Point&)>& outside,
+              const std::function<Real(const Point&)>& porosity)
 {
-    return std::clamp(2 * (1 - distance / reach), 0.0, 1.0);
-}
-
-/// Free where no lattice fits; a lattice or rows give way within a few spacings of surfaces that
-/// cut it and of parts that are packed or of another porosity.
-std::vector<Real> mobilityOf(const Laid& laid, Real spacing)
-{
-    const Real reach = 5 * spacing;
-    std::vector<PointGrid> byPart(laid.parts.size(), PointGrid(reach));
-    for (std::size_t i = 0; i < laid.x.size(); ++i) byPart[laid.part[i]].add(laid.x[i]);
-    std::vector<Real> mobility(laid.x.size(), 0);
-    for (std::size_t i = 0; i < laid.x.size(); ++i) {
-        const std::size_t own = laid.part[i];
-        const RegionPart& part = laid.parts[own];
-        if (!part.isBoxes())
-            mobility[i] = part.disturbance ? loosened(part.disturbance(laid.x[i]), 2 * reach) : 1;
-        for (std::size_t p = 0; p < laid.parts.size() && mobility[i] < 1; ++p) {
-            if (p == own || (laid.parts[p].isBoxes() && laid.porosity[p] == laid.porosity[own]))
-                continue;
-            const Index j = byPart[p].nearest(laid.x[i], reach);
-            if (j < 0) continue;
-            mobility[i] = std::max(mobility[i], loosened(norm(byPart[p][j] - laid.x[i]), reach));
-        }
-    }
-    return mobility;
-}
-
-template <class Porosity>
-void packLaid(Laid& laid, const CaseGeometry& g, std::function<Real(const Point&)> outside,
-              Porosity&& porosity)
-{
+    LatticeFit fit = latticeFit(laid, g, outside);
     const PackingTask task{
-        g, porosity, std::move(outside),
+        g,
+        porosity,
+        outside,
         [&laid](std::size_t i, const Point& x) { return laid.parts[laid.part[i]].distance(x); },
-        mobilityOf(laid, g.spacing)};
+        std::move(fit.mobility),
+        std::move(fit.slides)};
     pack(task, laid.x);
 }
 
@@ -139,7 +95,7 @@ const ZonePorosity& zoneOf(const SoilRegion& region, const std::vector<ZonePoros
 }
 
 /// The points of region k.
-std::vector<Point> pointsOfRegion(const Laid& laid, std::size_t k)
+std::vector<Point> pointsOfRegion(const LaidPoints& laid, std::size_t k)
 {
     std::vector<Point> points;
     for (std::size_t i = 0; i < laid.x.size(); ++i)
@@ -147,9 +103,9 @@ std::vector<Point> pointsOfRegion(const Laid& laid, std::size_t k)
     return points;
 }
 
-Laid laySoil(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
+LaidPoints laySoil(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
 {
-    Laid laid;
+    LaidPoints laid;
     for (std::size_t k = 0; k < g.soil.size(); ++k) {
         const SoilRegion& region = g.soil[k];
         const Real eps = zoneOf(region, zones).porosity;
@@ -166,9 +122,9 @@ Laid laySoil(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
     return laid;
 }
 
-Laid layWater(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
+LaidPoints layWater(const CaseGeometry& g, const std::vector<ZonePorosity>& zones)
 {
-    Laid laid;
+    LaidPoints laid;
     const std::vector<const Shape*> soils = shapesBefore(g.soil, g.soil.size());
     for (std::size_t k = 0; k < g.water.size(); ++k) {
         const WaterRegion& region = g.water[k];
@@ -196,7 +152,7 @@ SoilParticles fillSoil(const CaseGeometry& g, const std::vector<ZonePorosity>& z
 {
     SoilParticles soil;
     if (g.soil.empty()) return soil;
-    Laid laid = laySoil(g, zones);
+    LaidPoints laid = laySoil(g, zones);
     packLaid(laid, g, outsideOf(g, g.soil), [](const Point&) { return Real(1); });
     std::vector<std::int64_t> count(laid.parts.size(), 0);
     for (std::size_t part : laid.part) ++count[part];
@@ -220,7 +176,7 @@ SoilParticles fillSoil(const CaseGeometry& g, const std::vector<ZonePorosity>& z
 WaterParticles fillWater(const CaseGeometry& g, const std::vector<ZonePorosity>& zones,
                          const WallParticles& walls, const SoilParticles& soil)
 {
-    Laid laid = layWater(g, zones);
+    LaidPoints laid = layWater(g, zones);
     const SoilField field(g, soil, walls);
     packLaid(laid, g, outsideOf(g, g.water),
              [&field](const Point& x) { return field.porosity(x); });

@@ -206,6 +206,10 @@ private:
     Point moved(std::size_t i, Point by)
     {
         const Real keep = margin * spacing_[i];
+        if (task_.slides[i]) {
+            const Point n = outward(i);
+            by = by - dot(by, n) * n;
+        }
         atMost_[i] += norm(by);  // distances change no faster than places
         if (atMost_[i] < -keep) return x_[i] + by;
         const Real before = task_.own(i, x_[i]), after = task_.own(i, x_[i] + by);

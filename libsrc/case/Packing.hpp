@@ -17,6 +17,8 @@ struct PackingTask {
     std::function<Real(std::size_t i, const Point&)> own;
     /// 0: stays where it is, 1: moves freely.
     std::vector<Real> mobility;
+    /// Not 0: moves along the nearest face of its part only.
+    std::vector<char> slides;
 };
 
 /// Sweeps of  x_i -= c h_i^2 sum_j V_j [e + K (n_i + n_j)] gradW_ij,  V_j = d0^D/porosity_j,

@@ -91,13 +91,6 @@ std::vector<RegionPart> partsOf(const CaseGeometry& g, const Shape& shape,
         part.frame = p < 0 ? box : partners[p]->box();
         std::vector<const Shape*> shapes = taken;
         shapes.insert(shapes.end(), partners.begin(), partners.end());
-        if (p < 0 && box)
-            part.disturbance = [shapes](const Point& x) {
-                Real nearest = std::numeric_limits<Real>::max();
-                for (const Shape* other : shapes)
-                    nearest = std::min(nearest, std::fabs(other->signedDistance(x)));
-                return nearest;
-            };
         shapes.insert(shapes.begin(), &shape);
         part.volume = volumeOfPart(part, g, shapes);
         if (part.volume > 1e-9 * g.cellVolume()) parts.push_back(std::move(part));

@@ -15,8 +15,6 @@ struct RegionPart {
     std::function<Real(const Point&)> distance;  ///< negative inside
     BoundingBox bounds;
     std::optional<OrientedBox> frame;  ///< a box whose faces bound it, for the lattice
-    /// Distance to the surfaces that cut the lattice of the frame; none: no lattice fits anywhere.
-    std::function<Real(const Point&)> disturbance;
 
     bool isBoxes() const { return !boxes.empty(); }
 };
