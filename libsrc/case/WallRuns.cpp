@@ -71,6 +71,22 @@ void addTip(WallRun& run, const Edge& e, const Edge& f)
     }
 }
 
+/// The run that begins with the first edge, which in a closed chain follows the last.
+WallRun firstRun(const std::vector<Edge>& edges, bool closed, const CaseGeometry& g)
+{
+    WallRun run;
+    const Edge &first = edges.front(), &last = edges.back();
+    const Joint joint = jointOf(last, first);
+    if (!closed)
+        addVertex(run, first.a, endDirection(first, first.a, g), first.tag);
+    else if (joint == Joint::tip)
+        addTip(run, last, first);
+    else
+        addVertex(run, first.a, miter(last, first), first.tag);
+    if (closed && joint == Joint::corner) run.start = WallRun::End::corner;
+    return run;
+}
+
 }  // namespace
 
 std::vector<WallRun> wallRuns(const Chain& chain, const CaseGeometry& g)
@@ -87,16 +103,7 @@ std::vector<WallRun> wallRuns(const Chain& chain, const CaseGeometry& g)
             }
     const bool cornered = closed && jointOf(edges[n - 1], edges[0]) == Joint::corner;
 
-    std::vector<WallRun> runs(1);
-    if (!closed)
-        addVertex(runs[0], edges[0].a, endDirection(edges[0], edges[0].a, g), edges[0].tag);
-    else if (cornered)
-        addVertex(runs[0], edges[0].a, miter(edges[n - 1], edges[0]), edges[0].tag);
-    else if (jointOf(edges[n - 1], edges[0]) == Joint::tip)
-        addTip(runs[0], edges[n - 1], edges[0]);
-    else
-        addVertex(runs[0], edges[0].a, miter(edges[n - 1], edges[0]), edges[0].tag);
-    if (cornered) runs[0].start = WallRun::End::corner;
+    std::vector<WallRun> runs{firstRun(edges, closed, g)};
     for (std::size_t j = 1; j < n; ++j) {
         const Edge &e = edges[j - 1], &f = edges[j];
         const Joint joint = jointOf(e, f);
