@@ -3,34 +3,12 @@
 
 #include "operators/StrainRate.hpp"
 
-#include <cmath>
-
 namespace isph {
-
-namespace {
-/// sum_j V_j W_ij on a full lattice of spacing d0.
-template <int Dim>
-Real fillingOfLattice(const Kernel& kernel, Real hOverSpacing)
-{
-    const int m = static_cast<int>(std::ceil(kernel.supportRadius() * hOverSpacing));
-    Real sum = 0;
-    for (int a = -m; a <= m; ++a)
-        for (int b = -m; b <= m; ++b)
-            for (int c = (Dim == 3 ? -m : 0); c <= (Dim == 3 ? m : 0); ++c) {
-                const Real q = std::sqrt(Real(a * a + b * b + c * c)) / hOverSpacing;
-                Real w = 0, slope = 0;
-                if (q < kernel.supportRadius())
-                    kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
-                sum += w;
-            }
-    return sum * kernel.normalisation(Dim) / std::pow(hOverSpacing, Dim);
-}
-}  // namespace
 
 template <int Dim>
 ProjectionStep<Dim>::ProjectionStep(Scene<Dim>& scene, Timers& timers)
     : scene_(scene), timers_(timers), guard_(scene.wallCloud, scene.scheme.spacing),
-      latticeFilling_(fillingOfLattice<Dim>(*scene.kernel, scene.scheme.h0 / scene.scheme.spacing))
+      latticeFilling_(latticeSum(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing))
 {
     fields_.noSlip = scene.noSlip;
 }

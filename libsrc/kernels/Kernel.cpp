@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernels/Kernel.hpp"
 
+#include <cmath>
+
 namespace isph {
 
 Kernel::Table& Kernel::table()
@@ -12,6 +14,23 @@ Kernel::Table& Kernel::table()
 std::unique_ptr<Kernel> Kernel::select(const Dictionary& dict, std::string_view key)
 {
     return table().select(dict, key);
+}
+
+Real latticeSum(const Kernel& kernel, int dimension, Real hOverSpacing)
+{
+    const int m = static_cast<int>(std::ceil(kernel.supportRadius() * hOverSpacing));
+    const int mz = dimension == 3 ? m : 0;
+    Real sum = 0;
+    for (int a = -m; a <= m; ++a)
+        for (int b = -m; b <= m; ++b)
+            for (int c = -mz; c <= mz; ++c) {
+                const Real q = std::sqrt(Real(a * a + b * b + c * c)) / hOverSpacing;
+                if (q >= kernel.supportRadius()) continue;
+                Real w = 0, slope = 0;
+                kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
+                sum += w;
+            }
+    return sum * kernel.normalisation(dimension) / std::pow(hOverSpacing, dimension);
 }
 
 }  // namespace isph

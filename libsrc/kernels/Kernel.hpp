@@ -27,4 +27,7 @@ public:
     virtual void evaluate(Span<const Real> q, Span<Real> w, Span<Real> slope) const = 0;
 };
 
+/// sum_j d0^D W(x_j, h) over a full lattice of spacing d0 with a point at x = 0, in 2 or 3 dimensions.
+Real latticeSum(const Kernel& kernel, int dimension, Real hOverSpacing);
+
 }  // namespace isph

@@ -27,24 +27,6 @@ Real depthOf(Real share)
     const Real bounded = std::clamp(share, Real(1e-3), Real(1 - 1e-3));
     return std::clamp(width * std::log(bounded / (1 - bounded)), -most, most);
 }
-
-/// sum_j d0^D W(x_j) over a full lattice with a point at x = 0.
-template <int Dim>
-Real latticeSum(const Kernel& kernel, Real hOverSpacing)
-{
-    const int m = static_cast<int>(std::ceil(kernel.supportRadius() * hOverSpacing));
-    Real sum = 0;
-    for (int a = -m; a <= m; ++a)
-        for (int b = -m; b <= m; ++b)
-            for (int c = (Dim == 3 ? -m : 0); c <= (Dim == 3 ? m : 0); ++c) {
-                const Real q = std::sqrt(Real(a * a + b * b + c * c)) / hOverSpacing;
-                Real w = 0, slope = 0;
-                if (q < kernel.supportRadius())
-                    kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
-                sum += w;
-            }
-    return sum * kernel.normalisation(Dim) / std::pow(hOverSpacing, Dim);
-}
 }  // namespace
 
 /// Points near a place with their kernel values, in arrays that are used again.
@@ -67,7 +49,7 @@ PorousField<Dim>::PorousField(std::vector<SoilZone> zones, const Kernel& kernel,
       wallVolume_(walls.volume)
 {
     const Real power = Dim == 2 ? sqr(h_) : cube(h_);
-    scaleW_ = kernel.normalisation(Dim) / power / latticeSum<Dim>(kernel, h_ / spacing);
+    scaleW_ = kernel.normalisation(Dim) / power / latticeSum(kernel, Dim, h_ / spacing);
     scaleGrad_ = scaleW_ / sqr(h_);
     wallGrid_.build(wallX_, reach_);
 }
