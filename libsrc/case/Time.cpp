@@ -155,6 +155,7 @@ void Time::rereadIfModified()
     try {
         controlDict_ = Dictionary::read(file);
         readControls();
+        ++rereads_;
     } catch (const FatalError& error) {
         const auto* place = dynamic_cast<const FatalIOError*>(&error);
         warning("{}\n{} line {}: the settings before the change stay", error.what(),

@@ -75,6 +75,8 @@ public:
     Real maxDeltaT() const { return maxDeltaT_; }  ///< [s], infinity where it is absent
     int purgeWrite() const { return purgeWrite_; }
     const Dictionary& controlDict() const { return controlDict_; }
+    /// How often run() has read controlDict again with success: function objects then follow it.
+    int rereads() const { return rereads_; }
     const std::filesystem::path& caseDir() const { return caseDir_; }
 
     Real progress() const;  ///< share of endTime that is done [%]
@@ -101,6 +103,7 @@ private:
     bool stepIsSet_ = false;
     bool writeTime_ = false;
     bool stopped_ = false;
+    int rereads_ = 0;
 
     StopAt stopAt_ = StopAt::endTime;
     Real endTime_ = 0, fixedDeltaT_ = 0, maxCo_ = 0, maxDeltaT_ = 0;

@@ -49,6 +49,7 @@ public:
         if (time_.index() == 0) sortParticles(scene_);
         if (options.functionObjects)
             functions_ = FunctionObjectList(controlDict, {files.caseDir, time_.name(), time_.instant()});
+        measures_ = options.functionObjects;
         functions_.meet(time_);
         readErosion(files);
         logScene(files, scene_);
@@ -63,6 +64,7 @@ public:
         step_->look();
         measure();
         while (time_.run()) {
+            followControlDict();
             advance();
             if (time_.writeTime()) write();
             measure();
@@ -76,6 +78,21 @@ public:
     }
 
 private:
+    /// Function objects that were edited in controlDict while the run goes on; with an error in them
+    /// the ones before the change stay.
+    void followControlDict()
+    {
+        if (time_.rereads() == rereads_) return;
+        rereads_ = time_.rereads();
+        if (!measures_) return;
+        try {
+            functions_.reread(time_.controlDict(), {time_.caseDir(), time_.name(), time_.instant()});
+            functions_.meet(time_);
+        } catch (const FatalError& error) {
+            warning("{}\nthe function objects before the change stay", error.what());
+        }
+    }
+
     void advance()
     {
         const Real dtOld = time_.index() > 0 ? time_.deltaT() : 0;
@@ -143,6 +160,8 @@ private:
     FunctionObjectList functions_;
     std::optional<Erosion<Dim>> erosion_;   ///< only where the case has constant/erosionProperties
     StepLog log_;
+    bool measures_ = true;
+    int rereads_ = 0;   ///< of controlDict, that the function objects have followed
 };
 
 }  // namespace
