@@ -50,4 +50,42 @@ double evaluate(const std::string& expression)
     return value;
 }
 
+struct FieldExpression::Parsed {
+    std::array<Real, 3> place{};
+    Real time = 0;
+    mu::Parser parser;
+};
+
+FieldExpression::FieldExpression(const std::string& text,
+                                 const std::map<std::string, Real>& constants)
+    : parsed_(std::make_unique<Parsed>())
+{
+    int results = 0;
+    try {
+        mu::Parser& parser = parsed_->parser;
+        addFunctions(parser);
+        parser.DefineVar("x", &parsed_->place[0]);
+        parser.DefineVar("y", &parsed_->place[1]);
+        parser.DefineVar("z", &parsed_->place[2]);
+        parser.DefineVar("t", &parsed_->time);
+        for (const auto& [name, value] : constants) parser.DefineConst(name, value);
+        parser.SetExpr(text);
+        parser.Eval(results);
+    } catch (const mu::Parser::exception_type& error) {
+        throw std::runtime_error(error.GetMsg());
+    }
+    if (results != 1) throw std::runtime_error(fmt::format("it has {} values, not one", results));
+}
+
+FieldExpression::~FieldExpression() = default;
+FieldExpression::FieldExpression(FieldExpression&&) noexcept = default;
+FieldExpression& FieldExpression::operator=(FieldExpression&&) noexcept = default;
+
+Real FieldExpression::operator()(const std::array<Real, 3>& place, Real time) const
+{
+    parsed_->place = place;
+    parsed_->time = time;
+    return parsed_->parser.Eval();
+}
+
 }  // namespace isph

@@ -30,6 +30,8 @@ public:
     virtual std::vector<std::string> columns() const = 0;
     /// What a reader of the file has to know besides (places, units), a line each.
     virtual std::vector<std::string> header() const { return {}; }
+    /// Whether a run that ends is measured although no control asks for that time.
+    virtual bool measuresAtEnd() const { return false; }
     /// The run goes on from a restart: `first` is the first row that its beginning wrote.
     virtual void resume(Span<const Real> first) { (void)first; }
 };

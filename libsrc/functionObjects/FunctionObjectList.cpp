@@ -155,19 +155,41 @@ void FunctionObjectList::Entry::ask(const StepInstant& now)
     };
     write = asked(writing);
     run = asked(executing);
-    const Real slack = kTimeTolerance * std::max(Real(1), std::abs(now.value));
-    const bool inside = now.value >= startTime - slack && now.value <= endTime + slack;
     const bool measuredBefore = !initial && now.index <= start.instant.index;
-    if (!enabled || !inside || measuredBefore) write = run = false;
+    if (!enabled || !inside(now) || measuredBefore) write = run = false;
+}
+
+bool FunctionObjectList::Entry::inside(const StepInstant& now) const
+{
+    const Real slack = kTimeTolerance * std::max(Real(1), std::abs(now.value));
+    return now.value >= startTime - slack && now.value <= endTime + slack;
 }
 
 bool FunctionObjectList::due(const StepInstant& now)
 {
     time_ = now.value;
+    index_ = now.index;
     bool any = false;
     for (Entry& entry : entries_) {
         entry.ask(now);
         any = any || entry.write || entry.run;
+    }
+    return any;
+}
+
+bool FunctionObjectList::dueAtEnd(const StepInstant& now)
+{
+    time_ = now.value;
+    index_ = now.index;
+    bool any = false;
+    for (Entry& entry : entries_) {
+        const bool wanted = entry.enabled && entry.object->measuresAtEnd() &&
+                            entry.writing.kind() != TimeControl::Kind::none;
+        const bool missing =
+            entry.written != now.index && now.index > entry.start.instant.index;
+        entry.run = false;
+        entry.write = wanted && missing && entry.inside(now);
+        any = any || entry.write;
     }
     return any;
 }
@@ -192,6 +214,7 @@ void FunctionObjectList::execute(const FlowView& flow)
         if (entry.write) {
             if (!entry.file) openFile(entry);
             entry.file->write(time_, values);
+            entry.written = index_;
         }
         entry.write = entry.run = false;
     }

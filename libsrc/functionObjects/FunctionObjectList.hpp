@@ -22,6 +22,7 @@ struct MeasureStart {
 ///     time.instant()}); functions.meet(time);
 /// and before the first step and after every step
 ///     if (functions.due(time.instant())) functions.execute(makeFlowView(...));
+/// and after the last one so with dueAtEnd().
 /// The initial state (index 0) is due for every control but none. The first state of a restart is
 /// not: the run that wrote it has measured it. From there on the measurements have the times that
 /// the uninterrupted run would give them, the wall-clock controls excepted.
@@ -47,7 +48,9 @@ public:
     /// Whether any function object needs to see the flow now. To be asked once a step, in every
     /// step.
     bool due(const StepInstant& now);
-    /// Measures and writes what the last due() found.
+    /// The same after the last step of a run: those that measure at its end and have not done so.
+    bool dueAtEnd(const StepInstant& now);
+    /// Measures and writes what the last due() or dueAtEnd() found.
     void execute(const FlowView& flow);
 
 private:
@@ -61,9 +64,11 @@ private:
         MeasureStart start;
         bool met = false;                 ///< known to Time
         bool write = false, run = false;  ///< found by due()
+        int written = -1;                 ///< index of the step of the last row
         std::optional<DataWriter> file{};
 
         void ask(const StepInstant& now);
+        bool inside(const StepInstant& now) const;  ///< between startTime and endTime
     };
     static Entry makeEntry(const Dictionary& dict, const MeasureStart& start);
     static void resume(Entry& entry);
@@ -71,6 +76,7 @@ private:
 
     std::vector<Entry> entries_;
     Real time_ = 0;
+    int index_ = 0;  ///< of the step that due() was asked about
 };
 
 }  // namespace isph

@@ -69,6 +69,7 @@ public:
             if (time_.writeTime()) write();
             measure();
         }
+        if (time_.exitCode() == 0 && functions_.dueAtEnd(time_.instant())) execute();
         const Real particleSteps = Real(time_.index() - firstIndex) * static_cast<Real>(scene_.water.size());
         logTimings(timers_, particleSteps, wallSeconds() - wallStart);
         const int code = time_.exitCode();
@@ -146,7 +147,11 @@ private:
 
     void measure()
     {
-        if (!functions_.due(time_.instant())) return;
+        if (functions_.due(time_.instant())) execute();
+    }
+
+    void execute()
+    {
         const auto timer = timers_.scope("function objects");
         functions_.execute(flowView(scene_, step_->fields(), time_.value()));
     }

@@ -104,6 +104,23 @@ TEST_F(FunctionObjectListTest, MeasuresAtTheStepsThatTheControlsName)
     EXPECT_FALSE(fs::exists(case_ / "postProcessing/off"));
 }
 
+TEST_F(FunctionObjectListTest, MeasuresErrorsAtTheEndOfTheRunOnce)
+{
+    const std::string norms = " { type errorNorms; field p; expression \"0\"; ";
+    FunctionObjectList functions =
+        list("third" + norms + "writeInterval 3; }" + "off" + norms + "enabled no; }" + "early" +
+             norms + "writeInterval 4; endTime 0.2; }" + energy("energy", "writeInterval 4;"));
+    run(functions, 0, 10);
+    EXPECT_TRUE(functions.dueAtEnd(instant(10)));
+    functions.execute(flow_);
+    EXPECT_FALSE(functions.dueAtEnd(instant(10)));
+    EXPECT_EQ(steps("third"), (Steps{0, 3, 6, 9, 10}));
+    EXPECT_EQ(steps("early"), (Steps{0, 4}));
+    EXPECT_EQ(steps("energy"), (Steps{0, 4, 8}));
+    FunctionObjectList again = list("third" + norms + "writeInterval 3; }", 10);
+    EXPECT_FALSE(again.dueAtEnd(instant(10))) << "a restart that takes no step";
+}
+
 TEST_F(FunctionObjectListTest, AsksForTheFlowOnlyInStepsThatNeedIt)
 {
     FunctionObjectList functions =
