@@ -7,12 +7,22 @@
 
 namespace isph {
 
+/// Where the rows stand, for solvers that group rows by place.
+struct RowPlaces {
+    int dimension = 0;             ///< 0: not known
+    std::vector<Real> coordinate;  ///< `dimension` values a row
+    std::vector<Real> spacing;     ///< distance between neighbours, one value a row; larger in soil
+
+    bool known() const { return dimension > 0; }
+};
+
 /// Rows hold both halves of the off-diagonal entries, columns ascending; the diagonal stands apart.
 struct SymmetricMatrix {
     std::vector<PairIndex> rowStart{0};  ///< size()+1
     std::vector<Index> column;
     std::vector<Real> offDiagonal;
     std::vector<Real> diagonal;
+    RowPlaces places{};  ///< optional; whoever assembles the matrix fills it or leaves it unknown
 
     std::size_t size() const { return diagonal.size(); }
 };

@@ -7,15 +7,23 @@
 
 namespace isph {
 
-/// z = M^-1 r with M symmetric and positive definite.
+/// z = M^-1 r with M symmetric and positive definite, at least nearly so.
 class Preconditioner {
 public:
     virtual ~Preconditioner() = default;
     virtual void apply(Span<const Real> r, Span<Real> z) = 0;
+    /// y = A x; returns x.y, summed in order. A preconditioner may have A in a form that is faster
+    /// to read and differs by rounding; the residual that ends the solve is that of A itself.
+    virtual Real multiplyAndDot(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y)
+    {
+        return isph::multiplyAndDot(matrix, x, y);
+    }
 };
 
 /// The iteration of Hestenes and Stiefel (1952), with M as in Saad, Iterative Methods for Sparse
-/// Linear Systems (2003), algorithm 9.1. It keeps its work arrays from solve to solve.
+/// Linear Systems (2003), algorithm 9.1, with the direction of Polak and Ribiere: flexible, that is
+/// for preconditioners that are no fixed matrix (Notay 2000, SIAM J. Sci. Comput. 22, 1444-1460). It
+/// keeps its work arrays from solve to solve.
 class ConjugateGradients {
 public:
     /// Goes on from solve.x() and the r that belongs to it until solve.done(), judged by the true

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pressure/solvers/Aggregation.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace isph {
+
+namespace {
+/// Jacobi alone reduces the error of a row by this where its excess is as many times the sum of its
+/// off-diagonals; a coarse row would gain nothing.
+constexpr Real kDominance = 4;
+/// Edge of a cell over the spacing: 2.4 takes more iterations, 1.6 more setup.
+constexpr Real kCellEdge = 2;
+/// Bits of a coordinate in a key; the four bits above three coordinates hold the grid's number.
+constexpr int kBits = 20;
+constexpr CellKey kMask = (CellKey{1} << kBits) - 1;
+constexpr int kGridBit = 3 * kBits, kGrids = 16;
+
+template <class Weight>
+bool staysOut(const LevelMatrix<Weight>& matrix, const RowSums& sums, Index i)
+{
+    const Real offDiagonals = matrix.diagonal[i] - sums.excess[i];
+    return sums.largest[i] == 0 || sums.excess[i] > kDominance * offDiagonals;
+}
+
+/// The lowest row of i's piece; paths are halved on the way.
+Index find(std::vector<Index>& root, Index i)
+{
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+}
+}  // namespace
+
+void cellKeys(const RowPlaces& places, std::vector<CellKey>& keys)
+{
+    const std::size_t n = places.spacing.size();
+    const int dim = places.dimension;
+    Vec<3> lowest;
+    for (int d = 0; d < dim; ++d)
+        lowest[d] = -orderedMax(n, -std::numeric_limits<Real>::max(),
+                                [&](Index i) { return -places.coordinate[i * dim + d]; });
+    const Real finest = -orderedMax(n, -std::numeric_limits<Real>::max(),
+                                    [&](Index i) { return -places.spacing[i]; });
+    keys.resize(n);
+    forRows(n, [&](Index i) {
+        const auto nearest = static_cast<int>(std::lround(2 * std::log2(places.spacing[i] / finest)));
+        const int grid = std::min(nearest, kGrids - 1);
+        const Real edge = kCellEdge * finest * std::exp2(0.5 * grid);
+        CellKey key = 0;
+        for (int d = 0; d < dim; ++d) {
+            const Real cell = (places.coordinate[i * dim + d] - lowest[d]) / edge;
+            key = key << kBits | std::min(static_cast<CellKey>(cell), kMask);
+        }
+        keys[i] = key | static_cast<CellKey>(grid) << kGridBit;
+    });
+}
+
+CellKey coarserKey(CellKey key)
+{
+    constexpr CellKey coordinates = (CellKey{1} << kGridBit) - 1;
+    constexpr CellKey highest = CellKey{1} << (kBits - 1);
+    constexpr CellKey carried = highest | highest << kBits | highest << 2 * kBits;
+    return (key & ~coordinates) | ((key & coordinates) >> 1 & ~carried);
+}
+
+/// Lists the rows that are in by bucket, a bucket being cells whose keys agree in their low bits.
+void Aggregation::sortByKey(Span<const CellKey> keys)
+{
+    const std::size_t n = keys.size();
+    const std::size_t buckets = std::bit_ceil(n / 2 + 1);
+    const auto mix = [&](CellKey key) {
+        // Neighbours in the last direction share a cache line; the others are spread.
+        return ((key & kMask) + (key >> kBits) * 0x9E3779B97F4A7C15ULL / 64 * 64) & (buckets - 1);
+    };
+    head_.assign(buckets, -1);
+    next_.resize(n);
+    for (auto i = static_cast<Index>(n); i-- > 0;) {
+        if (root_[i] < 0) continue;
+        Index& head = head_[mix(keys[i])];
+        next_[i] = head;
+        head = i;
+    }
+}
+
+template <class Weight>
+void Aggregation::uniteCells(const LevelMatrix<Weight>& matrix, const RowSums& sums,
+                             Span<const CellKey> keys, Real strength)
+{
+    forRows(head_.size(), [&](Index bucket) {
+        // A piece of m rows is found after m - 1 unions; most cells are one piece at their first row.
+        int unions = -1;
+        bool oneCell = true;
+        for (Index i = head_[bucket]; i >= 0; i = next_[i]) {
+            ++unions;
+            oneCell = oneCell && keys[i] == keys[head_[bucket]];
+        }
+        for (Index i = head_[bucket]; i >= 0 && !(oneCell && unions <= 0); i = next_[i])
+            for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1]; ++k) {
+                const Index j = matrix.column[k];
+                if (keys[j] != keys[i] || root_[j] < 0) continue;
+                const auto strong = strength * std::max(sums.largest[i], sums.largest[j]);
+                if (!(-static_cast<Real>(matrix.offDiagonal[k]) >= strong)) continue;
+                const Index a = find(root_, i), b = find(root_, j);
+                if (a == b) continue;
+                root_[std::max(a, b)] = std::min(a, b);
+                --unions;
+            }
+        for (Index i = head_[bucket]; i >= 0; i = next_[i]) root_[i] = find(root_, i);
+    });
+}
+
+template <class Weight>
+void Aggregation::byCells(const LevelMatrix<Weight>& matrix, const RowSums& sums,
+                          Span<const CellKey> keys, Real strength)
+{
+    root_.resize(matrix.size());
+    forRows(matrix.size(), [&](Index i) { root_[i] = staysOut(matrix, sums, i) ? -1 : i; });
+    sortByKey(keys);
+    uniteCells(matrix, sums, keys, strength);
+    number();
+}
+
+template <class Weight>
+void Aggregation::byNeighbours(const LevelMatrix<Weight>& matrix, const RowSums& sums, Real strength)
+{
+    const auto n = static_cast<Index>(matrix.size());
+    constexpr Index out = -1, free = -2;
+    root_.resize(n);
+    for (Index i = 0; i < n; ++i) root_[i] = staysOut(matrix, sums, i) ? out : free;
+    const auto forStrong = [&](Index i, auto&& f) {
+        for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1]; ++k) {
+            const Index j = matrix.column[k];
+            const Real a_ij = -static_cast<Real>(matrix.offDiagonal[k]);
+            if (a_ij >= strength * std::max(sums.largest[i], sums.largest[j])) f(j, a_ij);
+        }
+    };
+    for (Index i = 0; i < n; ++i) {  // whole neighbourhoods
+        bool allFree = root_[i] == free;
+        if (allFree) forStrong(i, [&](Index j, Real) { allFree &= root_[j] == free; });
+        if (!allFree) continue;
+        root_[i] = i;
+        forStrong(i, [&](Index j, Real) { root_[j] = i; });
+    }
+    next_.assign(n, free);
+    for (Index i = 0; i < n; ++i) {  // the rest joins its strongest neighbour's
+        if (root_[i] != free) continue;
+        Real strongest = 0;
+        forStrong(i, [&](Index j, Real a_ij) {
+            if (root_[j] >= 0 && a_ij > strongest) strongest = a_ij, next_[i] = root_[j];
+        });
+    }
+    for (Index i = 0; i < n; ++i)
+        if (next_[i] != free) root_[i] = next_[i];
+    for (Index i = 0; i < n; ++i) {  // what is left of a neighbourhood
+        if (root_[i] != free) continue;
+        root_[i] = i;
+        forStrong(i, [&](Index j, Real) {
+            if (root_[j] == free) root_[j] = i;
+        });
+    }
+    number();
+}
+
+void Aggregation::number()
+{
+    const auto n = static_cast<Index>(root_.size());
+    numberOfRoot_.assign(n, -1);
+    group.resize(n);
+    Index groups = 0;
+    for (Index i = 0; i < n; ++i) {
+        if (root_[i] < 0) {
+            group[i] = -1;
+            continue;
+        }
+        Index& number = numberOfRoot_[root_[i]];
+        if (number < 0) number = groups++;
+        group[i] = number;
+    }
+    start.assign(groups + 2, 0);  // counted one place ahead, so that filling moves it into place
+    for (Index i = 0; i < n; ++i)
+        if (group[i] >= 0) ++start[group[i] + 2];
+    for (Index g = 0; g < groups; ++g) start[g + 2] += start[g + 1];
+    member.resize(start.back());
+    for (Index i = 0; i < n; ++i)
+        if (group[i] >= 0) member[start[group[i] + 1]++] = i;
+    start.pop_back();
+}
+
+#define ISPH_INSTANTIATE(Weight)                                                                 \
+    template void Aggregation::byCells(const LevelMatrix<Weight>&, const RowSums&,               \
+                                       Span<const CellKey>, Real);                               \
+    template void Aggregation::byNeighbours(const LevelMatrix<Weight>&, const RowSums&, Real);
+ISPH_INSTANTIATE(float)
+ISPH_INSTANTIATE(Real)
+#undef ISPH_INSTANTIATE
+
+}  // namespace isph

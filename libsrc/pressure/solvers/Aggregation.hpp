@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Groups of rows that become one row each on the next coarser level of the multigrid.
+#pragma once
+#include "pressure/solvers/LevelLoops.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace isph {
+
+/// What grouping and the coarse matrix need to know of each row.
+struct RowSums {
+    std::vector<Real> excess;   ///< diagonal + sum of off-diagonals: what ties the row to p = 0
+    std::vector<Real> largest;  ///< largest |a_ij| of the row
+
+    void resize(std::size_t n) { excess.resize(n), largest.resize(n); }
+};
+
+/// The cell of a background grid that a row stands in. Rows of different spacing have grids of
+/// their own, so keys of two rows are equal where they share grid and cell.
+using CellKey = std::uint64_t;
+
+/// Keys from places: cells of two spacings, of the row's own spacing rounded to powers of sqrt(2).
+void cellKeys(const RowPlaces& places, std::vector<CellKey>& keys);
+
+/// The key in cells of twice the edge.
+CellKey coarserKey(CellKey key);
+
+/// Groups of rows, numbered in the order of their first rows.
+class Aggregation {
+public:
+    std::vector<Index> group;          ///< of every row; -1: none, the smoother alone solves the row
+    std::vector<Index> start, member;  ///< rows of each group, ascending
+
+    std::size_t size() const { return start.empty() ? 0 : start.size() - 1; }
+    Span<const Index> operator[](std::size_t g) const
+    {
+        return {member.data() + start[g], static_cast<std::size_t>(start[g + 1] - start[g])};
+    }
+
+    /// Rows of equal key, split into pieces that are connected by entries with
+    /// |a_ij| >= strength max(largest_i, largest_j). So groups reach across no jump of the
+    /// coefficient, no thin wall and no gap. Rows whose excess is most of their diagonal stay out.
+    template <class Weight>
+    void byCells(const LevelMatrix<Weight>& matrix, const RowSums& sums, Span<const CellKey> keys,
+                 Real strength);
+    /// Where no places are known: a row and its strong neighbours, as long as those are free
+    /// (Vanek, Mandel & Brezina 1996, Computing 56, 179-196, algorithm 5.1). One thread.
+    template <class Weight>
+    void byNeighbours(const LevelMatrix<Weight>& matrix, const RowSums& sums, Real strength);
+
+private:
+    template <class Weight>
+    void uniteCells(const LevelMatrix<Weight>& matrix, const RowSums& sums,
+                    Span<const CellKey> keys, Real strength);
+    void sortByKey(Span<const CellKey> keys);
+    void number();
+
+    std::vector<Index> root_;           ///< any one row of the piece; -1: the row stays out
+    std::vector<Index> head_, next_;    ///< rows of each bucket of keys, ascending; -1: the end
+    std::vector<Index> numberOfRoot_;
+};
+
+}  // namespace isph

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The matrix of the next coarser level.
+#pragma once
+#include "pressure/solvers/Aggregation.hpp"
+
+namespace isph {
+
+/// A_c = P^T A P with P_ig = 1 where row i belongs to group g: the sum of all entries between two
+/// groups. The diagonal is made as excess + sum of |off-diagonals|, not as the sum of what lies
+/// within a group: strong entries there would cancel and take the weak ones' digits with them.
+class CoarseMatrixBuilder {
+public:
+    template <class Weight>
+    void build(const LevelMatrix<Weight>& fine, const RowSums& fineSums, const Aggregation& groups,
+               SymmetricMatrix& coarse, RowSums& coarseSums);
+
+private:
+    /// The rows of a run of groups, made by one thread.
+    struct Part {
+        Index first = 0, last = 0;
+        std::vector<PairIndex> slot;  ///< of a column in the row at hand, if not below its start
+        std::vector<Index> column;
+        std::vector<Real> value;
+    };
+    template <class Weight>
+    void gather(const LevelMatrix<Weight>& fine, const RowSums& fineSums, const Aggregation& groups,
+                Part& part, SymmetricMatrix& coarse, RowSums& coarseSums);
+    void join(SymmetricMatrix& coarse);
+
+    std::vector<Part> parts_;
+};
+
+/// Brings the columns of every row into ascending order.
+void sortColumns(SymmetricMatrix& matrix);
+
+}  // namespace isph

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loops over the rows of a level of the multigrid, and what they share.
+#pragma once
+#include "core/Parallel.hpp"
+#include "core/Vec.hpp"
+#include "pressure/SymmetricMatrix.hpp"
+
+namespace isph {
+
+/// Below this many rows a loop takes less time than waking the threads (tens of microseconds).
+constexpr std::size_t kSerialRows = 8192;
+
+/// f(i) for i in [0, n); f may write only what belongs to i.
+template <class F>
+void forRows(std::size_t n, F&& f)
+{
+    if (n >= kSerialRows) return parallelFor(n, f);
+    for (Index i = 0; i < static_cast<Index>(n); ++i) f(i);
+}
+
+/// Sum of term(i) over [0, n). The order depends on n alone, hence the bits do as well.
+template <class Term>
+auto sumRows(std::size_t n, Term&& term)
+{
+    if (n >= kSerialRows) return orderedSum(n, term);
+    decltype(term(Index{0})) sum{};
+    for (Index i = 0; i < static_cast<Index>(n); ++i) sum = sum + term(i);
+    return sum;
+}
+
+/// A symmetric matrix whose off-diagonals may be in single precision; it refers to arrays of others.
+template <class Weight>
+struct LevelMatrix {
+    Span<const PairIndex> rowStart;
+    Span<const Index> column;
+    Span<const Weight> offDiagonal;
+    Span<const Real> diagonal;
+
+    std::size_t size() const { return diagonal.size(); }
+
+    /// (A x)_i, summed in double; its order is the compiler's, the same for any number of threads.
+    Real rowTimes(Span<const Real> x, Index i) const
+    {
+        Real sum = 0;
+        const PairIndex end = rowStart[i + 1];
+#pragma omp simd reduction(+ : sum)
+        for (PairIndex k = rowStart[i]; k < end; ++k)
+            sum += static_cast<Real>(offDiagonal[k]) * x[column[k]];
+        return diagonal[i] * x[i] + sum;
+    }
+};
+
+inline LevelMatrix<Real> levelMatrix(const SymmetricMatrix& matrix)
+{
+    return {matrix.rowStart, matrix.column, matrix.offDiagonal, matrix.diagonal};
+}
+
+}  // namespace isph

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pressure/solvers/Multigrid.hpp"
+
+#include <algorithm>
+
+namespace isph {
+
+namespace {
+/// Damping of Jacobi: stable for every matrix of non-negative row sums (below 1), and between 0.7
+/// and 0.9 the iterations are the same.
+constexpr Real kDamping = 0.8;
+/// Entries below this share of the largest of their rows do not hold a group together.
+constexpr Real kStrength = 0.05;
+/// The same where places are not known: only near neighbours, else groups become too large.
+constexpr Real kNeighbourStrength = 0.25;
+/// A level must have fewer rows than this share of the finer one's.
+constexpr Real kReduction = 0.7;
+/// How often cells are doubled to reach that, before neighbours are joined whatever their strength.
+constexpr int kDoublings = 3;
+/// The coarsest level has no more rows than this: its factor fits the cache.
+constexpr std::size_t kDirectRows = 400;
+/// An excess below this share of the diagonal is the rounding of a row sum of some 60 terms.
+constexpr Real kRounding = 1e-14;
+/// Added to the coarsest diagonal, as a share: keeps the factor of a matrix without any tie to p = 0.
+constexpr Real kShift = 1e-13;
+
+void setSmoother(std::vector<Real>& inverse, Span<const Real> diagonal, const RowSums& sums)
+{
+    inverse.resize(diagonal.size());
+    forRows(diagonal.size(), [&](Index i) {
+        inverse[i] = (sums.largest[i] > 0 ? kDamping : 1) / diagonal[i];
+    });
+}
+}  // namespace
+
+LevelMatrix<float> Multigrid::fine() const
+{
+    return {matrix_->rowStart, matrix_->column, offDiagonal_, diagonal_};
+}
+
+bool Multigrid::setUp(const SymmetricMatrix& matrix)
+{
+    matrix_ = &matrix;
+    used_ = 0;
+    if (!copyFine(matrix)) return false;
+    setSmoother(fine_.inverse, diagonal_, fine_.sums);
+    fine_.t.resize(matrix.size());
+    fine_.keys.clear();
+    if (matrix.places.known()) cellKeys(matrix.places, fine_.keys);
+    return coarsen(matrix);
+}
+
+/// Off-diagonals in single precision, the diagonal of the same row sums, what grouping needs.
+bool Multigrid::copyFine(const SymmetricMatrix& matrix)
+{
+    const std::size_t n = matrix.size();
+    offDiagonal_.resize(matrix.offDiagonal.size());
+    diagonal_.resize(n);
+    fine_.sums.resize(n);
+    const int failures = sumRows(n, [&](Index i) {
+        Real exact = 0, rounded = 0, lowest = 0;
+        const PairIndex end = matrix.rowStart[i + 1];
+#pragma omp simd reduction(+ : exact, rounded) reduction(min : lowest)
+        for (PairIndex k = matrix.rowStart[i]; k < end; ++k) {
+            const auto a_ij = static_cast<float>(matrix.offDiagonal[k]);
+            offDiagonal_[k] = a_ij;
+            exact += matrix.offDiagonal[k];
+            rounded += static_cast<Real>(a_ij);
+            lowest = std::min(lowest, matrix.offDiagonal[k]);
+        }
+        const Real excess = matrix.diagonal[i] + exact;
+        diagonal_[i] = excess - rounded;
+        fine_.sums.excess[i] = excess > kRounding * matrix.diagonal[i] ? excess : 0;
+        fine_.sums.largest[i] = -lowest;
+        return diagonal_[i] > 0 ? 0 : 1;
+    });
+    return failures == 0;
+}
+
+bool Multigrid::coarsen(const SymmetricMatrix& matrix)
+{
+    direct_ = true;
+    if (matrix.size() <= kDirectRows) return factor_.forget(), factor_.factorise(matrix);
+    if (!group(fine(), fine_)) return direct_ = false, true;
+    addLevel(fine(), fine_);
+    while (true) {
+        CoarseLevel& level = *coarse_[used_ - 1];
+        if (level.matrix.size() <= kDirectRows) return factorise(level.matrix);
+        if (!group(levelMatrix(level.matrix), level)) return direct_ = false, true;
+        addLevel(levelMatrix(level.matrix), level);
+    }
+}
+
+/// Groups the rows of a level. False where all stay out: the smoother solves them.
+template <class Weight>
+bool Multigrid::group(const LevelMatrix<Weight>& matrix, Level& level)
+{
+    const std::size_t n = matrix.size();
+    const auto enough = [&, most = kReduction * static_cast<Real>(n)] {
+        return static_cast<Real>(level.groups.size()) < most;
+    };
+    if (level.keys.empty()) {
+        level.groups.byNeighbours(matrix, level.sums, kNeighbourStrength);
+    } else {
+        level.groups.byCells(matrix, level.sums, level.keys, kStrength);
+        for (int doubling = 0; doubling < kDoublings && !enough(); ++doubling) {
+            forRows(n, [&](Index i) { level.keys[i] = coarserKey(level.keys[i]); });
+            level.groups.byCells(matrix, level.sums, level.keys, kStrength);
+        }
+    }
+    if (!enough()) level.groups.byNeighbours(matrix, level.sums, 0);
+    return level.groups.size() > 0;
+}
+
+/// The level below `level`, whose rows have been grouped.
+template <class Weight>
+void Multigrid::addLevel(const LevelMatrix<Weight>& matrix, const Level& level)
+{
+    if (used_ == coarse_.size()) coarse_.push_back(std::make_unique<CoarseLevel>());
+    CoarseLevel& coarse = *coarse_[used_++];
+    builder_.build(matrix, level.sums, level.groups, coarse.matrix, coarse.sums);
+    setSmoother(coarse.inverse, coarse.matrix.diagonal, coarse.sums);
+    const std::size_t n = level.groups.size();
+    for (std::vector<Real>* v : {&coarse.t, &coarse.r, &coarse.x, &coarse.c, &coarse.d, &coarse.v})
+        v->resize(n);
+    coarse.keys.resize(level.keys.empty() ? 0 : n);
+    if (!level.keys.empty())
+        forRows(n, [&](Index g) {
+            coarse.keys[g] = coarserKey(level.keys[level.groups[g].front()]);
+        });
+}
+
+bool Multigrid::factorise(SymmetricMatrix& coarsest)
+{
+    for (Real& diagonal : coarsest.diagonal) diagonal *= 1 + kShift;
+    sortColumns(coarsest);
+    factor_.forget();  // an ordering of an earlier step would leave its trace in the bits
+    return factor_.factorise(coarsest);
+}
+
+Real Multigrid::operatorComplexity() const
+{
+    const auto entries = [](const SymmetricMatrix& a) {
+        return static_cast<Real>(a.column.size() + a.size());
+    };
+    Real sum = entries(*matrix_);
+    for (std::size_t l = 0; l < used_; ++l) sum += entries(coarse_[l]->matrix);
+    return sum / entries(*matrix_);
+}
+
+Real Multigrid::multiplyAndDot(const SymmetricMatrix&, Span<const Real> x, Span<Real> y)
+{
+    return sumRows(x.size(), [&, a = fine()](Index i) {
+        y[i] = a.rowTimes(x, i);
+        return x[i] * y[i];
+    });
+}
+
+void Multigrid::apply(Span<const Real> r, Span<Real> z)
+{
+    if (direct_ && used_ == 0) return factor_.apply(r, z);
+    cycle(fine(), fine_, 0, r, z);
+}
+
+/// z = B r. Both smoothing steps are the same, so B is symmetric but for the inner iterations.
+template <class Weight>
+void Multigrid::cycle(const LevelMatrix<Weight>& matrix, Level& level, std::size_t coarser,
+                      Span<const Real> r, Span<Real> z)
+{
+    const std::size_t n = matrix.size();
+    const Span<const Real> inverse = level.inverse;
+    const Span<Real> t = level.t;
+    forRows(n, [&](Index i) { z[i] = inverse[i] * r[i]; });
+    if (coarser < used_) {
+        forRows(n, [&](Index i) { t[i] = r[i] - matrix.rowTimes(z, i); });
+        correct(level, coarser, z);
+    } else {
+        std::copy(z.begin(), z.end(), t.begin());
+    }
+    forRows(n, [&](Index i) { z[i] = t[i] + inverse[i] * (r[i] - matrix.rowTimes(t, i)); });
+}
+
+/// t = z + P e with A_c e = P^T t.
+void Multigrid::correct(Level& level, std::size_t coarser, Span<const Real> z)
+{
+    CoarseLevel& coarse = *coarse_[coarser];
+    const Aggregation& groups = level.groups;
+    forRows(groups.size(), [&](Index g) {
+        Real sum = 0;
+        for (const Index i : groups[g]) sum += level.t[i];
+        coarse.r[g] = sum;
+    });
+    solveCoarse(coarser);
+    forRows(z.size(), [&](Index i) {
+        level.t[i] = z[i] + (groups.group[i] >= 0 ? coarse.x[groups.group[i]] : 0);
+    });
+}
+
+/// x ~ A^-1 r by one step of conjugate gradients, by two where one does not quarter the residual.
+void Multigrid::solveCoarse(std::size_t l)
+{
+    CoarseLevel& level = *coarse_[l];
+    if (direct_ && l + 1 == used_) return factor_.apply(level.r, level.x);
+    const std::size_t n = level.matrix.size();
+    const LevelMatrix<Real> a = levelMatrix(level.matrix);
+    const Span<Real> r = level.r, x = level.x, c = level.c, d = level.d, v = level.v;
+    cycle(a, level, l + 1, r, c);
+    const Vec<3> first = sumRows(n, [&](Index i) {
+        v[i] = a.rowTimes(c, i);
+        return Vec<3>{c[i] * v[i], c[i] * r[i], sqr(r[i])};
+    });
+    const Real cv = first[0], step = cv > 0 ? first[1] / cv : 0;
+    const Real left = sumRows(n, [&](Index i) {
+        r[i] -= step * v[i];
+        return sqr(r[i]);
+    });
+    constexpr Real enough = 1.0 / 16;  // of the square
+    if (!(left > enough * first[2])) {
+        forRows(n, [&](Index i) { x[i] = step * c[i]; });
+        return;
+    }
+    cycle(a, level, l + 1, r, d);
+    const Vec<3> second = sumRows(n, [&](Index i) {
+        return Vec<3>{d[i] * v[i], d[i] * a.rowTimes(d, i), d[i] * r[i]};
+    });
+    const Real curvature = second[1] - sqr(second[0]) / cv;
+    const Real stepD = curvature > 0 ? second[2] / curvature : 0;
+    const Real stepC = step - stepD * second[0] / cv;
+    forRows(n, [&](Index i) { x[i] = stepC * c[i] + stepD * d[i]; });
+}
+
+}  // namespace isph

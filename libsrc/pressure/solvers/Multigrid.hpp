@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Aggregation multigrid, the preconditioner of multigridPCG.                       [theory 5.4]
+#pragma once
+#include "pressure/solvers/CholmodFactor.hpp"
+#include "pressure/solvers/CoarseMatrix.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace isph {
+
+/// z = B r: damped Jacobi, coarse correction e = P (P^T A P)^-1 P^T (r - A z), damped Jacobi. The
+/// coarse equation is solved by two steps of flexible conjugate gradients with the same cycle of
+/// its own level (K-cycle: Notay & Vassilevski 2008, Numer. Linear Algebra Appl. 15, 473-487),
+/// which makes up for what piecewise constant corrections lack; the coarsest by a Cholesky factor.
+/// The inner steps make B depend on r a little: it needs flexible conjugate gradients outside.
+///
+/// Off-diagonals of level 0 are floats, its diagonal and all else are double; the diagonal is made
+/// from the floats so that row sums stay those of A. Groups of rows come from the places of the
+/// rows (Aggregation::byCells), from the coefficients alone where places are not known. No state is
+/// kept from matrix to matrix.
+class Multigrid : public Preconditioner {
+public:
+    /// False where a diagonal is not positive, or the coarsest matrix has no Cholesky factor.
+    bool setUp(const SymmetricMatrix& matrix);
+    void apply(Span<const Real> r, Span<Real> z) override;
+    /// With the float off-diagonals.
+    Real multiplyAndDot(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y) override;
+
+    std::size_t levels() const { return used_ + 1; }
+    /// Entries of all levels over those of level 0.
+    Real operatorComplexity() const;
+
+private:
+    /// What every level has to smooth and to go down.
+    struct Level {
+        RowSums sums;
+        std::vector<Real> inverse;  ///< of the smoother, damping included
+        std::vector<CellKey> keys;  ///< empty: places are not known
+        Aggregation groups;         ///< unused on the coarsest level
+        std::vector<Real> t;
+    };
+    /// Right-hand side r, solution x, corrections c, d of the two steps, v = A c.
+    struct CoarseLevel : Level {
+        SymmetricMatrix matrix;
+        std::vector<Real> r, x, c, d, v;
+    };
+
+    bool copyFine(const SymmetricMatrix& matrix);
+    bool coarsen(const SymmetricMatrix& matrix);
+    template <class Weight>
+    bool group(const LevelMatrix<Weight>& matrix, Level& level);
+    template <class Weight>
+    void addLevel(const LevelMatrix<Weight>& matrix, const Level& level);
+    bool factorise(SymmetricMatrix& coarsest);
+    LevelMatrix<float> fine() const;
+
+    template <class Weight>
+    void cycle(const LevelMatrix<Weight>& matrix, Level& level, std::size_t coarser,
+               Span<const Real> r, Span<Real> z);
+    void correct(Level& level, std::size_t coarser, Span<const Real> z);
+    void solveCoarse(std::size_t l);
+
+    const SymmetricMatrix* matrix_ = nullptr;  ///< of the last setUp(): its pattern is used
+    std::vector<float> offDiagonal_;
+    std::vector<Real> diagonal_;
+    Level fine_;
+    std::vector<std::unique_ptr<CoarseLevel>> coarse_;  ///< kept from solve to solve
+    std::size_t used_ = 0;                              ///< of them, by the matrix at hand
+    CoarseMatrixBuilder builder_;
+    CholmodFactor factor_;
+    bool direct_ = false;  ///< the coarsest level is solved by the factor
+};
+
+}  // namespace isph
