@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "functionObjects/Expectation.hpp"
+#include "functionObjects/ExpectedField.hpp"
 #include "functionObjects/FunctionObject.hpp"
 #include "functionObjects/KernelField.hpp"
 
@@ -105,7 +105,7 @@ public:
                          "Whether the bias is taken off first, as for a pressure without level.")
                 .byDefault("no"),
         };
-        for (const Key& key : Expectation::keys()) own.add(key);
+        for (const Key& key : ExpectedField::keys()) own.add(key);
         return keysWith(own);
     }
 
@@ -281,7 +281,7 @@ private:
 
     Dictionary dict_;
     FieldName field_;
-    Expectation expected_;
+    ExpectedField expected_;
     std::string scaleText_;
     std::optional<FieldExpression> scale_;
     bool upToConstant_;

@@ -25,11 +25,11 @@ FieldExpression readExpression(const Dictionary& dict, const std::string& key,
 ///   reference { file; along x|y|z|t; coordinate <column>; value <column>; }
 /// A reference along x, y or z is a profile, along t a time series; linear between its rows. A file
 /// name is relative to the case.
-class Expectation {
+class ExpectedField {
 public:
     static std::vector<Key> keys();
     /// Throws FatalIOError or FatalError for anything that does not make sense.
-    explicit Expectation(const Dictionary& dict);
+    explicit ExpectedField(const Dictionary& dict);
 
     /// Of the expressions that were given; 1 for a reference.
     int components() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "functionObjects/Expectation.hpp"
+#include "functionObjects/ExpectedField.hpp"
 
 #include <fmt/format.h>
 
@@ -62,7 +62,7 @@ FieldExpression readExpression(const Dictionary& dict, const std::string& key,
     }
 }
 
-std::vector<Key> Expectation::keys()
+std::vector<Key> ExpectedField::keys()
 {
     return {
         Key::text("expression", "What a scalar field should be, an expression of x, y, z and t.")
@@ -78,7 +78,7 @@ std::vector<Key> Expectation::keys()
             .mayBeAbsent()};
 }
 
-Expectation::Expectation(const Dictionary& dict)
+ExpectedField::ExpectedField(const Dictionary& dict)
 {
     if (dict.found("expression") + dict.found("expressions") + dict.found("reference") != 1)
         dict.fail("expression", fmt::format("\"{}\" needs one of expression \"...\", expressions "
@@ -90,7 +90,7 @@ Expectation::Expectation(const Dictionary& dict)
         readExpressions(dict);
 }
 
-void Expectation::readReference(const Dictionary& dict)
+void ExpectedField::readReference(const Dictionary& dict)
 {
     const Schema keys = referenceKeys();
     keys.check(dict);
@@ -108,7 +108,7 @@ void Expectation::readReference(const Dictionary& dict)
     }
 }
 
-void Expectation::readExpressions(const Dictionary& dict)
+void ExpectedField::readExpressions(const Dictionary& dict)
 {
     const std::map<std::string, Real> constants = readConstants(dict);
     const std::string key = dict.found("expression") ? "expression" : "expressions";
@@ -118,12 +118,12 @@ void Expectation::readExpressions(const Dictionary& dict)
     if (expressions_.empty()) dict.fail(key, key + " is empty");
 }
 
-int Expectation::components() const
+int ExpectedField::components() const
 {
     return curve_ ? 1 : static_cast<int>(expressions_.size());
 }
 
-bool Expectation::covers(const std::array<Real, 3>& place, Real time) const
+bool ExpectedField::covers(const std::array<Real, 3>& place, Real time) const
 {
     constexpr Real rounding = 1e-9;  // of the data's length: times are sums of steps
     if (!curve_) return true;
@@ -132,13 +132,13 @@ bool Expectation::covers(const std::array<Real, 3>& place, Real time) const
     return at >= curve_->x.front() - slack && at <= curve_->x.back() + slack;
 }
 
-Real Expectation::value(int component, const std::array<Real, 3>& place, Real time) const
+Real ExpectedField::value(int component, const std::array<Real, 3>& place, Real time) const
 {
     if (!curve_) return expressions_[static_cast<std::size_t>(component)](place, time);
     return (*curve_)(axis_ == 3 ? time : place[static_cast<std::size_t>(axis_)]);
 }
 
-std::vector<std::array<Real, 3>> Expectation::profilePoints(
+std::vector<std::array<Real, 3>> ExpectedField::profilePoints(
     const std::array<Real, 3>& through) const
 {
     std::vector<std::array<Real, 3>> points;
