@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrator/PaperStep.hpp"
 
+#include "integrator/ExplicitDrag.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,6 +56,7 @@ void PaperStep<Dim>::predict(Real dt)
     std::vector<Vec<Dim>> v(points.fluid);
     parallelFor(points.water, [&](Index i) { v[i] = soil.porosity[i] * scene_.water.u[i]; });
     points.refresh(v);
+    if (drag_ == PaperDrag::explicitly) requireStableDrag<Dim>(scene_, fields_, v, dt);
     fields_.v.resize(points.fluid);
     parallelForDynamic(points.water, [&](Index i) {
         Vec<Dim> laplacian;

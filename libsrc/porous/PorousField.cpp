@@ -8,8 +8,6 @@ namespace isph {
 
 namespace {
 constexpr Real kLeastPorosity = 0.02;   // reached only by clumps of released grains
-constexpr Real kClampCentre = 0.5;      // of the drag across a soil surface     [theory (4.13)]
-constexpr Real kClampWidth = 0.2;
 constexpr Real kLeastOpenSpace = 0.1;   // share of a kernel that is not wall, deep in corners
 constexpr Real kSoilWidth = 1.5;        // h of the soil sums in d0, for a support of 2 h
 

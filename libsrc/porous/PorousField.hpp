@@ -13,6 +13,10 @@
 
 namespace isph {
 
+/// Across a soil surface the drag rises from 0 to that of intact soil while the share of soil goes
+/// through this width around this centre.                                             [theory (4.13)]
+inline constexpr Real kClampCentre = 0.5, kClampWidth = 0.2;
+
 /// One soil zone with its law evaluated once.
 struct SoilZone {
     std::string name;

@@ -2,6 +2,7 @@
 #include "RunLog.hpp"
 
 #include "core/Log.hpp"
+#include "integrator/ExplicitDrag.hpp"
 
 #include <fmt/ranges.h>
 
@@ -31,6 +32,17 @@ struct Parts {
     }
 };
 
+/// The step that explicit drag bears, where the scheme has it.
+template <int Dim>
+void logExplicitDrag(const CaseFiles& files, const Scene<Dim>& scene)
+{
+    const bool paper = readProjection(files.schemes) == Projection::paper;
+    if (!paper || !scene.porous || readPaperDrag(files.schemes) != PaperDrag::explicitly) return;
+    for (const SoilZone& zone : scene.porous->zones())
+        info("Explicit drag in zone {}: stable for steps below {:.4g} s, less where water is fast",
+             zone.name, explicitDragLimit(zone));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -51,6 +63,7 @@ void logScene(const CaseFiles& files, const Scene<Dim>& scene)
         for (const SoilZone& zone : scene.porous->zones())
             info("{}", describe(zone.name, *zone.model, scheme.viscosity));
     }
+    logExplicitDrag(files, scene);
     if (scene.turbulence) info("Turbulence: {}", scene.turbulence->formula());
 
     Parts parts;
