@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrator/PressureStage.hpp"
 
+#include "pressure/RowPlaces.hpp"
+
 namespace isph {
 
 template <int Dim>
@@ -17,6 +19,7 @@ void PressureStage<Dim>::solve(Scene<Dim>& scene, const Medium& medium, const Pr
         rows_.number(fields.role, points.water);
         assemble(points, fields.pairs, fields.corrections, fields.role, medium, source, rows_, matrix_, rhs_,
                  anchored_);
+        placeRows(points, rows_.particle, matrix_.places);
         if (!rowFactor.empty())
             parallelFor(rows_.size(), [&](Index r) { rhs_[r] *= rowFactor[rows_.particle[r]]; });
     }

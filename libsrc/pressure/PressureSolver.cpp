@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pressure/PressureSolver.hpp"
 
+#include "pressure/EquationFile.hpp"
+
 namespace isph {
 
 PressureSolver::Table& PressureSolver::table()
@@ -11,7 +13,11 @@ PressureSolver::Table& PressureSolver::table()
 
 std::unique_ptr<PressureSolver> PressureSolver::select(const Dictionary& pressure)
 {
-    return table().make(pressure.get<std::string>("solver"), pressure, pressure, "solver");
+    const Schema keys = SolverControls::keys();
+    auto solver = table().make(pressure.get<std::string>("solver"), pressure, pressure, "solver");
+    const int interval = keys.get<int>(pressure, "recordInterval");
+    if (interval > 0) return std::make_unique<RecordingSolver>(std::move(solver), interval);
+    return solver;
 }
 
 Schema SolverControls::keys()
@@ -28,6 +34,11 @@ Schema SolverControls::keys()
             .atLeast(0)
             .below(1),
         Key::integer("maxIter", "Most iterations of one solve.").byDefault("500").atLeast(1),
+        Key::integer("recordInterval",
+                     "Every how many solves the equation is written to "
+                     "postProcessing/pressureEquation, for measurements of solvers; 0: never.")
+            .byDefault("0")
+            .atLeast(0),
     };
 }
 
