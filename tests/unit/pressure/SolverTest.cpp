@@ -14,7 +14,7 @@ using namespace isph::test;
 
 namespace {
 const std::vector<std::string> kSolvers{"solver cholmod;", "solver lagCholmod;",
-                                        "solver multigridPCG;",
+                                        "solver multigridPCG;", "solver hypre;",
                                         "solver PCG;",  // MIC0
                                         "solver PCG; preconditioner IC0;",
                                         "solver PCG; preconditioner Jacobi;"};
