@@ -27,6 +27,21 @@ Real depthOf(Real share)
 }
 }  // namespace
 
+std::vector<SoilZone> readZones(const Dictionary& porousZones, const std::vector<std::string>& names)
+{
+    std::vector<SoilZone> zones;
+    for (const std::string& name : names) {
+        if (!porousZones.found(name))
+            porousZones.fail(name, "The soil zone " + name + " has no entry in constant/porousZones.");
+        SoilZone zone;
+        zone.name = name;
+        zone.model = PorousModel::select(porousZones.subDict(name));
+        zone.porosity = zone.model->porosity();
+        zones.push_back(std::move(zone));
+    }
+    return zones;
+}
+
 /// Points near a place with their kernel values, in arrays that are used again.
 template <int Dim>
 struct PorousField<Dim>::Near {

@@ -25,6 +25,10 @@ struct SoilZone {
     Resistance resistance;   ///< a, b of the intact soil
 };
 
+/// The zones of constant/porousZones in the order of their names in a soil file; resistances are left
+/// to whoever knows the water.   errors  FatalIOError: a zone has no entry, or a wrong one
+std::vector<SoilZone> readZones(const Dictionary& porousZones, const std::vector<std::string>& names);
+
 /// What the soil means to a water particle.
 template <int Dim>
 struct PorousState {

@@ -69,7 +69,7 @@ WaterProperties propertiesAtStart(const CaseFiles& files, const TimeFolder& star
     const std::vector<TimeFolder> folders = timeFolders(files.caseDir);
     if (start.value == 0 || folders.empty() || folders.front().value != 0) return waterProperties(files, now);
     Scene<Dim> first;
-    takeParticles(readTimeFolder(folders.front()), folders.front().path, first);
+    takeParticles(readTimeFolder(folders.front()), first);
     return waterProperties(files, first.water);
 }
 
@@ -78,17 +78,8 @@ template <int Dim>
 void readSoil(const CaseFiles& files, Scene<Dim>& scene)
 {
     if (scene.soil.size() == 0) return;
-    std::vector<SoilZone> zones;
-    for (const std::string& name : scene.soil.names) {
-        if (!files.porousZones.found(name))
-            files.porousZones.fail(name, "The soil zone " + name + " has no entry in constant/porousZones.");
-        SoilZone zone;
-        zone.name = name;
-        zone.model = PorousModel::select(files.porousZones.subDict(name));
-        zone.porosity = zone.model->porosity();
-        zone.resistance = zone.model->resistance(zone.porosity, scene.scheme.viscosity);
-        zones.push_back(std::move(zone));
-    }
+    std::vector<SoilZone> zones = readZones(files.porousZones, scene.soil.names);
+    for (SoilZone& zone : zones) zone.resistance = zone.model->resistance(zone.porosity, scene.scheme.viscosity);
     scene.porous = std::make_unique<PorousField<Dim>>(std::move(zones), *scene.kernel, scene.wallCloud,
                                                       scene.scheme.spacing);
     scene.porous->place(scene.soil, scene.box);
@@ -154,7 +145,10 @@ template <int Dim>
 Scene<Dim> readScene(const CaseFiles& files, const TimeFolder& start)
 {
     Scene<Dim> scene;
-    takeParticles(readTimeFolder(start), start.path, scene);
+    const auto parts = readTimeFolder(start);
+    const Real spacing = particlesKeys().get<Real>(files.particles, "spacing");
+    for (const auto& part : parts) requireSameCase(part.second, spacing, Dim);
+    takeParticles(parts, scene);
     if (scene.water.size() == 0) throw FatalIOError("There is no water.", (start.path / "water.vtp").string(), 0);
     scene.scheme = readScheme<Dim>(files.schemes, propertiesAtStart(files, start, scene.water));
     Dictionary choice = files.schemes;

@@ -136,8 +136,9 @@ private:
         sortParticles(scene_);
         scene_.solver->forget();
         step_->look();
-        const ParticleFile water = waterFile(scene_, step_->fields()), walls = wallFile(scene_),
-                           soil = soilFile(scene_);
+        const Real spacing = scene_.scheme.spacing;
+        const ParticleFile water = waterFile(scene_, step_->fields()), walls = fileOf(scene_.walls, spacing),
+                           soil = fileOf(scene_.soil, spacing);
         ParticleParts parts{{"water", water}};
         if (scene_.walls.size() > 0) parts.emplace("walls", walls);
         if (scene_.soil.size() > 0) parts.emplace("soil", soil);
