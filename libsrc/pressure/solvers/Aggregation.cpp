@@ -2,6 +2,7 @@
 #include "pressure/solvers/Aggregation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -44,14 +45,15 @@ void cellKeys(const RowPlaces& places, std::vector<CellKey>& keys)
                                 [&](Index i) { return -places.coordinate[i * dim + d]; });
     const Real finest = -orderedMax(n, -std::numeric_limits<Real>::max(),
                                     [&](Index i) { return -places.spacing[i]; });
+    std::array<Real, kGrids> edge;
+    for (int grid = 0; grid < kGrids; ++grid) edge[grid] = kCellEdge * finest * std::exp2(0.5 * grid);
     keys.resize(n);
     forRows(n, [&](Index i) {
         const auto nearest = static_cast<int>(std::lround(2 * std::log2(places.spacing[i] / finest)));
         const int grid = std::min(nearest, kGrids - 1);
-        const Real edge = kCellEdge * finest * std::exp2(0.5 * grid);
         CellKey key = 0;
         for (int d = 0; d < dim; ++d) {
-            const Real cell = (places.coordinate[i * dim + d] - lowest[d]) / edge;
+            const Real cell = (places.coordinate[i * dim + d] - lowest[d]) / edge[grid];
             key = key << kBits | std::min(static_cast<CellKey>(cell), kMask);
         }
         keys[i] = key | static_cast<CellKey>(grid) << kGridBit;
@@ -66,50 +68,50 @@ CellKey coarserKey(CellKey key)
     return (key & ~coordinates) | ((key & coordinates) >> 1 & ~carried);
 }
 
-/// Lists the rows that are in by bucket, a bucket being cells whose keys agree in their low bits.
+/// Cells whose keys agree here share a bucket. Neighbours in the last direction share a cache line,
+/// the others are spread.
+std::size_t Aggregation::bucketOf(CellKey key) const
+{
+    return ((key & kMask) + (key >> kBits) * 0x9E3779B97F4A7C15ULL / 64 * 64) & (head_.size() - 1);
+}
+
+/// Lists the rows that are in by bucket.
 void Aggregation::sortByKey(Span<const CellKey> keys)
 {
-    const std::size_t n = keys.size();
-    const std::size_t buckets = std::bit_ceil(n / 2 + 1);
-    const auto mix = [&](CellKey key) {
-        // Neighbours in the last direction share a cache line; the others are spread.
-        return ((key & kMask) + (key >> kBits) * 0x9E3779B97F4A7C15ULL / 64 * 64) & (buckets - 1);
-    };
-    head_.assign(buckets, -1);
-    next_.resize(n);
-    for (auto i = static_cast<Index>(n); i-- > 0;) {
+    head_.assign(std::bit_ceil(keys.size() / 2 + 1), -1);
+    next_.resize(keys.size());
+    for (auto i = static_cast<Index>(keys.size()); i-- > 0;) {
         if (root_[i] < 0) continue;
-        Index& head = head_[mix(keys[i])];
+        Index& head = head_[bucketOf(keys[i])];
         next_[i] = head;
         head = i;
     }
 }
 
+/// Unites the strongly connected rows of each cell of the bucket that begins with row `first`.
 template <class Weight>
-void Aggregation::uniteCells(const LevelMatrix<Weight>& matrix, const RowSums& sums,
-                             Span<const CellKey> keys, Real strength)
+void Aggregation::uniteBucket(const LevelMatrix<Weight>& matrix, const RowSums& sums,
+                              Span<const CellKey> keys, Real strength, Index first)
 {
-    forRows(head_.size(), [&](Index bucket) {
-        // A piece of m rows is found after m - 1 unions; most cells are one piece at their first row.
-        int unions = -1;
-        bool oneCell = true;
-        for (Index i = head_[bucket]; i >= 0; i = next_[i]) {
-            ++unions;
-            oneCell = oneCell && keys[i] == keys[head_[bucket]];
+    // A piece of m rows is found after m - 1 unions; most cells are one piece at their first row.
+    int missing = 0;
+    for (Index i = next_[first]; i >= 0; i = next_[i]) {
+        Index cell = first;  // its first row
+        while (keys[cell] != keys[i]) cell = next_[cell];
+        missing += cell != i;
+    }
+    for (Index i = first; i >= 0 && missing > 0; i = next_[i])
+        for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1] && missing > 0; ++k) {
+            const Index j = matrix.column[k];
+            if (keys[j] != keys[i] || root_[j] < 0) continue;
+            const Real strong = strength * std::max(sums.largest[i], sums.largest[j]);
+            if (!(-static_cast<Real>(matrix.offDiagonal[k]) >= strong)) continue;
+            const Index a = find(root_, i), b = find(root_, j);
+            if (a == b) continue;
+            root_[std::max(a, b)] = std::min(a, b);
+            --missing;
         }
-        for (Index i = head_[bucket]; i >= 0 && !(oneCell && unions <= 0); i = next_[i])
-            for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1]; ++k) {
-                const Index j = matrix.column[k];
-                if (keys[j] != keys[i] || root_[j] < 0) continue;
-                const auto strong = strength * std::max(sums.largest[i], sums.largest[j]);
-                if (!(-static_cast<Real>(matrix.offDiagonal[k]) >= strong)) continue;
-                const Index a = find(root_, i), b = find(root_, j);
-                if (a == b) continue;
-                root_[std::max(a, b)] = std::min(a, b);
-                --unions;
-            }
-        for (Index i = head_[bucket]; i >= 0; i = next_[i]) root_[i] = find(root_, i);
-    });
+    for (Index i = first; i >= 0; i = next_[i]) root_[i] = find(root_, i);
 }
 
 template <class Weight>
@@ -119,7 +121,9 @@ void Aggregation::byCells(const LevelMatrix<Weight>& matrix, const RowSums& sums
     root_.resize(matrix.size());
     forRows(matrix.size(), [&](Index i) { root_[i] = staysOut(matrix, sums, i) ? -1 : i; });
     sortByKey(keys);
-    uniteCells(matrix, sums, keys, strength);
+    forRows(matrix.size(), [&](Index i) {  // in the order of the rows, as they lie in memory
+        if (head_[bucketOf(keys[i])] == i) uniteBucket(matrix, sums, keys, strength, i);
+    });
     number();
 }
 

@@ -51,8 +51,9 @@ public:
 
 private:
     template <class Weight>
-    void uniteCells(const LevelMatrix<Weight>& matrix, const RowSums& sums,
-                    Span<const CellKey> keys, Real strength);
+    void uniteBucket(const LevelMatrix<Weight>& matrix, const RowSums& sums,
+                     Span<const CellKey> keys, Real strength, Index first);
+    std::size_t bucketOf(CellKey key) const;
     void sortByKey(Span<const CellKey> keys);
     void number();
 

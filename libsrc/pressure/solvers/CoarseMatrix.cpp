@@ -35,7 +35,7 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
     part.slot.assign(groups.size(), -1);
     part.column.clear(), part.value.clear();
     for (Index g = part.first; g < part.last; ++g) {
-        const auto begin = static_cast<PairIndex>(part.column.size());
+        const auto begin = static_cast<Index>(part.column.size());
         Real excess = 0;
         for (const Index i : groups[g]) {
             excess += fineSums.excess[i];
@@ -45,10 +45,10 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
                 const auto a_ij = static_cast<Real>(fine.offDiagonal[k]);
                 if (other < 0) {  // the coarse correction is 0 there
                     excess -= a_ij;
-                } else if (PairIndex& slot = part.slot[other]; slot >= begin) {
+                } else if (Index& slot = part.slot[other]; slot >= begin) {
                     part.value[slot] += a_ij;
                 } else {
-                    slot = static_cast<PairIndex>(part.column.size());
+                    slot = static_cast<Index>(part.column.size());
                     part.column.push_back(other);
                     part.value.push_back(a_ij);
                 }
@@ -59,7 +59,7 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
             sum -= part.value[k];
             largest = std::max(largest, -part.value[k]);
         }
-        coarse.rowStart[g + 1] = static_cast<PairIndex>(part.column.size()) - begin;
+        coarse.rowStart[g + 1] = static_cast<Index>(part.column.size()) - begin;
         coarse.diagonal[g] = excess + sum;
         coarseSums.excess[g] = excess;
         coarseSums.largest[g] = largest;

@@ -18,7 +18,7 @@ private:
     /// The rows of a run of groups, made by one thread.
     struct Part {
         Index first = 0, last = 0;
-        std::vector<PairIndex> slot;  ///< of a column in the row at hand, if not below its start
+        std::vector<Index> slot;  ///< of a column in the row at hand, if not below its start
         std::vector<Index> column;
         std::vector<Real> value;
     };
