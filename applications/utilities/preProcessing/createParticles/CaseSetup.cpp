@@ -3,7 +3,6 @@
 
 #include "case/CaseSchemas.hpp"
 #include "integrator/SchemeKeys.hpp"
-#include "kernels/Kernel.hpp"
 #include "porous/PorousModel.hpp"
 
 #include <algorithm>
@@ -18,15 +17,13 @@ Dictionary readOptional(const std::filesystem::path& file)
                                          : Dictionary::parse("", file.string());
 }
 
-/// Radius of the kernel in clear water.
-Real clearRadius(const Dictionary& schemes, Real spacing)
+std::unique_ptr<Kernel> readKernel(const Dictionary& schemes)
 {
     checkSchemes(schemes);
     Dictionary choice = schemes;
     if (!choice.found("kernel"))
         choice.set("kernel", schemeKeys().get<std::string>(schemes, "kernel"));
-    return Kernel::select(choice)->supportRadius() *
-           schemeKeys().get<Real>(schemes, "smoothingRatio") * spacing;
+    return Kernel::select(choice);
 }
 
 /// Of the zones that the case has soil of; 1 without soil.
@@ -57,12 +54,16 @@ CaseSetup readCase(const std::filesystem::path& caseDir)
     const Dictionary boundaries = readOptional(caseDir / "system" / "boundaryDict");
     const auto periodic = readPeriodic(boundaries, particles.getOrDefault("dimension", 3));
     setup.geometry = readGeometry(particles, periodic, caseDir);
-    const Dictionary zones = readOptional(caseDir / "constant" / "porousZones");
+    setup.porousZones = readOptional(caseDir / "constant" / "porousZones");
+    const Dictionary& zones = setup.porousZones;
     for (const std::string& name : zones.keywords())
         if (name != "FoamFile" && zones.isDict(name))
             setup.zones.push_back({name, PorousModel::select(zones.subDict(name))->porosity()});
     const CaseGeometry& g = setup.geometry;
-    setup.clearRadius = clearRadius(readOptional(caseDir / "system" / "isphSchemes"), g.spacing);
+    const Dictionary schemes = readOptional(caseDir / "system" / "isphSchemes");
+    setup.kernel = readKernel(schemes);
+    setup.clearRadius = setup.kernel->supportRadius() * g.spacing *
+                        schemeKeys().get<Real>(schemes, "smoothingRatio");
     setup.supportRadius =
         setup.clearRadius / std::pow(leastPorosity(g, setup.zones), 1.0 / g.dimension);
     return setup;

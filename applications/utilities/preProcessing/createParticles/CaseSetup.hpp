@@ -2,12 +2,17 @@
 // What createParticles reads from a case before it lays particles.
 #pragma once
 #include "case/Fill.hpp"
+#include "kernels/Kernel.hpp"
+
+#include <memory>
 
 namespace isph {
 
 struct CaseSetup {
     CaseGeometry geometry;
     std::vector<ZonePorosity> zones;  ///< in the order of constant/porousZones
+    Dictionary porousZones;
+    std::unique_ptr<Kernel> kernel;
     Real supportRadius = 0;           ///< of the kernel in the densest soil [m]
     Real clearRadius = 0;             ///< of the kernel in clear water [m]
     Real wallThickness() const { return supportRadius + 0.5 * geometry.spacing; }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WriteParticles.hpp"
 
-#include "output/VtpFile.hpp"
+#include "boundaries/PointCloud.hpp"
+#include "output/ParticleArrays.hpp"
+#include "porous/PorousField.hpp"
 
 #include <numeric>
 
@@ -38,7 +40,6 @@ ParticleFile waterFile(const CaseGeometry& g, const WaterParticles& water)
     ParticleFile file = fileOf(g, water.x);
     file.vectors["U"] = plain(water.velocity);
     file.scalars["p"] = std::vector<Real>(water.x.size(), 0);
-    file.scalars["porosity"] = std::vector<Real>(water.x.size(), 1);
     return file;
 }
 
@@ -49,7 +50,8 @@ ParticleFile wallFile(const CaseGeometry& g, const WallParticles& walls)
     file.scalars["depth"] = walls.depth;
     file.scalars["volume"] = walls.volume;
     file.integers["wall"] = wide(walls.wall);
-    for (const Wall& wall : g.walls) file.names["wallNames"].push_back(wall.name());
+    auto& names = file.names["wallNames"];
+    for (const Wall& wall : g.walls) names.push_back(wall.name());
     return file;
 }
 
@@ -59,26 +61,66 @@ ParticleFile soilFile(const CaseGeometry& g, const SoilParticles& soil,
     ParticleFile file = fileOf(g, soil.x);
     file.integers["zone"] = wide(soil.zone);
     file.scalars["solidVolume"] = soil.solidVolume;
-    for (const ZonePorosity& zone : zones) file.names["zoneNames"].push_back(zone.name);
+    auto& names = file.names["zoneNames"];
+    for (const ZonePorosity& zone : zones) names.push_back(zone.name);
     return file;
+}
+
+template <int Dim>
+PeriodicBox<Dim> boxOf(const CaseGeometry& g)
+{
+    PeriodicBox<Dim> box;
+    for (int d = 0; d < Dim; ++d) {
+        box.min[d] = g.domain.min[d], box.max[d] = g.domain.max[d];
+        box.periodic[d] = g.periodic[d];
+    }
+    return box;
+}
+
+/// As the solver computes it from the files.
+template <int Dim>
+std::vector<Real> porosity(const CaseSetup& setup, const ParticleFile& waterFile,
+                           const ParticleFile& wallFile, const ParticleFile& soilFile)
+{
+    const Real spacing = setup.geometry.spacing;
+    const PeriodicBox<Dim> box = boxOf<Dim>(setup.geometry);
+    const WallCloud<Dim> walls(wallsOf<Dim>(wallFile), box, setup.supportRadius + spacing);
+    const Soil<Dim> soil = soilOf<Dim>(soilFile);
+    PorousField<Dim> field(readZones(setup.porousZones, soil.names), *setup.kernel, walls, spacing);
+    field.place(soil, box);
+    PorousState<Dim> state;
+    field.evaluate(waterOf<Dim>(waterFile).x, state);
+    return state.porosity;
 }
 
 }  // namespace
 
-void writeParticles(const std::filesystem::path& folder, const CaseGeometry& g,
-                    const std::vector<ZonePorosity>& zones, const WaterParticles& water,
-                    const WallParticles& walls, const SoilParticles& soil)
+void writeParticles(const std::filesystem::path& folder, const CaseSetup& setup,
+                    const WaterParticles& water, const WallParticles& walls,
+                    const SoilParticles& soil)
 {
-    std::filesystem::create_directories(folder);
-    writeParticleFile(folder / "water.vtp", waterFile(g, water));
+    const CaseGeometry& g = setup.geometry;
+    ParticleFile waterPart = waterFile(g, water);
+    const ParticleFile wallPart = wallFile(g, walls), soilPart = soilFile(g, soil, setup.zones);
+    auto& eps = waterPart.scalars["porosity"];
+    if (soil.x.empty())
+        eps.assign(water.x.size(), 1);
+    else
+        eps = (g.dimension == 2 ? porosity<2> : porosity<3>)(setup, waterPart, wallPart, soilPart);
+
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed)
+        throw FatalIOError("cannot make the folder: " + failed.message(), folder.string(), 0);
+    writeParticleFile(folder / "water.vtp", waterPart);
     if (walls.size() > 0)
-        writeParticleFile(folder / "walls.vtp", wallFile(g, walls));
+        writeParticleFile(folder / "walls.vtp", wallPart);
     else
-        std::filesystem::remove(folder / "walls.vtp");
+        std::filesystem::remove(folder / "walls.vtp", failed);
     if (!soil.x.empty())
-        writeParticleFile(folder / "soil.vtp", soilFile(g, soil, zones));
+        writeParticleFile(folder / "soil.vtp", soilPart);
     else
-        std::filesystem::remove(folder / "soil.vtp");
+        std::filesystem::remove(folder / "soil.vtp", failed);
 }
 
 }  // namespace isph

@@ -22,7 +22,7 @@ int main(int argc, char* argv[])
         const SoilParticles soil = fillSoil(setup.geometry, setup.zones);
         const WaterParticles water = fillWater(setup.geometry, setup.zones, walls, soil);
         report(setup, water, walls, soil);
-        writeParticles(line.caseDir() / "0", setup.geometry, setup.zones, water, walls, soil);
+        writeParticles(line.caseDir() / "0", setup, water, walls, soil);
         info("\nEnd\n");
         return 0;
     } catch (const std::exception& error) {
