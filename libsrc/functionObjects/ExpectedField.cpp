@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "functionObjects/ExpectedField.hpp"
 
+#include "dictionary/Units.hpp"
+
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -34,20 +36,45 @@ std::string textOf(const Dictionary& dict, const Schema& keys, const std::string
     return dict.found(key) ? dict.tokens(key).front().text : keys.get<std::string>(dict, key);
 }
 
+/// A number in SI units, whatever its dimensions are; none for lists and words.
+std::optional<Real> numberOf(const Dictionary& dict, const std::string& key)
+{
+    const std::vector<Token>& tokens = dict.tokens(key);
+    if (tokens.empty() || tokens.back().kind != Token::Kind::number) return std::nullopt;
+    std::string text;
+    bool inside = false;
+    for (const Token& token : tokens) {
+        if (token.text == "]") inside = false;
+        if (inside) text += (text.empty() ? "" : " ") + token.text;
+        if (token.text == "[") inside = true;
+    }
+    const std::optional<Unit> unit = parseUnit(text);
+    return dict.get<Real>(key, unit ? unit->dimensions : dims::none);
+}
+
+void addConstants(const Dictionary& entries, std::map<std::string, Real>& constants)
+{
+    for (const std::string& name : entries.keywords()) {
+        if (name == "FoamFile") continue;
+        if (entries.isDict(name)) {
+            addConstants(entries.subDict(name), constants);
+            continue;
+        }
+        const std::vector<Token>& tokens = entries.tokens(name);
+        if (const std::optional<Real> number = numberOf(entries, name))
+            constants[name] = *number;
+        else if (tokens.size() == 1 && tokens[0].kind == Token::Kind::string)
+            constants[name] =
+                readExpression(entries, name, tokens[0].text, constants)({0, 0, 0}, 0);
+    }
+}
+
 }  // namespace
 
 std::map<std::string, Real> readConstants(const Dictionary& dict)
 {
     std::map<std::string, Real> constants;
-    if (!dict.found("constants")) return constants;
-    const Dictionary& entries = dict.subDict("constants");
-    for (const std::string& name : entries.keywords()) {
-        const Token& last = entries.tokens(name).back();
-        if (last.kind == Token::Kind::number)
-            constants[name] = last.number;
-        else
-            constants[name] = readExpression(entries, name, last.text, constants)({0, 0, 0}, 0);
-    }
+    if (dict.found("constants")) addConstants(dict.subDict("constants"), constants);
     return constants;
 }
 

@@ -10,8 +10,9 @@
 
 namespace isph {
 
-/// The constants { U 1; decay "8*pi^2/Re"; } of a dictionary: numbers, or expressions of those
-/// before them. Throws FatalIOError with muParser's message.
+/// The constants { U 1; decay "8*pi^2/Re"; } of a dictionary: numbers in SI units, or expressions,
+/// in quotes, of those before them. Those of sub-dictionaries count too, words and lists do not, so
+/// that a file of the case can be included. Throws FatalIOError with muParser's message.
 std::map<std::string, Real> readConstants(const Dictionary& dict);
 
 /// The expression of an entry, with the constants. Throws FatalIOError with muParser's message.

@@ -135,6 +135,16 @@ TEST(ErrorNorms, KnowTimeAndConstantsAndDivideByTheScale)
     EXPECT_NEAR(norms(flow, keys + "scale largest;")[Linf], 1, 1e-14);
 }
 
+TEST(ErrorNorms, TakeConstantsInSiUnitsFromAFileOfTheCase)
+{
+    const FlowView flow = block([](const Vector3&) { return 0; });
+    const std::string zone =
+        "sand { porousModel akbari; akbariCoeffs { D50 [mm] 5; porosity 0.4; } names (a b); }";
+    EXPECT_NEAR(norms(flow, "field p; expression \"-D50/porosity - c\"; constants { " + zone +
+                                " nu [0 2 -1 0 0 0 0] 1e-6; c \"2*nu\"; }")[bias],
+                0.0125 + 2e-6, 1e-15);
+}
+
 TEST(ErrorNorms, CountOnlyTheParticlesOfTheRegion)
 {
     const FlowView flow = block([](const Vector3& x) { return x[0] < 0.1 ? 3 : -1; });
