@@ -52,6 +52,7 @@ void writeEquation(const std::filesystem::path& file, const SymmetricMatrix& mat
     if (matrix.places.known()) {
         put<Real>(out, matrix.places.coordinate);
         put<Real>(out, matrix.places.spacing);
+        put<Index>(out, matrix.places.particle);
     }
     if (!out.flush()) fail(file, "cannot be written");
 }
@@ -79,6 +80,8 @@ Equation readEquation(const std::filesystem::path& file)
         take(in, matrix.places.coordinate, rows * matrix.places.dimension);
         take(in, matrix.places.spacing, rows);
     }
+    if (!in) fail(file, "ends before its time");
+    if (matrix.places.known() && in.peek() != EOF) take(in, matrix.places.particle, rows);
     if (!in) fail(file, "ends before its time");
     return equation;
 }

@@ -14,7 +14,7 @@ PressureSolver::Table& PressureSolver::table()
 std::unique_ptr<PressureSolver> PressureSolver::select(const Dictionary& pressure)
 {
     const Schema keys = SolverControls::keys();
-    auto solver = table().make(pressure.get<std::string>("solver"), pressure, pressure, "solver");
+    auto solver = table().make(keys.get<std::string>(pressure, "solver"), pressure, pressure, "solver");
     const int interval = keys.get<int>(pressure, "recordInterval");
     if (interval > 0) return std::make_unique<RecordingSolver>(std::move(solver), interval);
     return solver;
@@ -23,7 +23,8 @@ std::unique_ptr<PressureSolver> PressureSolver::select(const Dictionary& pressur
 Schema SolverControls::keys()
 {
     return {
-        Key::word("solver", "Solver of the pressure equation."),
+        Key::word("solver", "Solver of the pressure equation; auto: by its size and dimension.")
+            .byDefault("auto"),
         Key::scalar("tolerance", "Converged where |b - A p| <= tolerance |b|.")
             .byDefault("1e-6")
             .above(0)

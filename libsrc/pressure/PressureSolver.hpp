@@ -42,8 +42,8 @@ public:
     static constexpr const char* family = "pressureSolver";
     using Table = ModelTable<PressureSolver>;
     static Table& table();
-    /// The solver that the dictionary names:
-    ///     pressure { solver PCG; tolerance 1e-6; relTol 0; maxIter 200; }
+    /// The solver that the dictionary names, auto where it names none:
+    ///     pressure { solver multigridPCG; tolerance 1e-6; relTol 0; maxIter 200; }
     static std::unique_ptr<PressureSolver> select(const Dictionary& pressure);
 
     virtual ~PressureSolver() = default;

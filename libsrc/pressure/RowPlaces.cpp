@@ -7,6 +7,7 @@ template <int Dim>
 void placeRows(const Points<Dim>& points, Span<const Index> particle, RowPlaces& places)
 {
     places.dimension = Dim;
+    places.particle.assign(particle.begin(), particle.end());
     places.coordinate.resize(Dim * particle.size());
     places.spacing.resize(particle.size());
     parallelFor(particle.size(), [&](Index r) {

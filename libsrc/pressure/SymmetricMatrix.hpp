@@ -7,9 +7,11 @@
 
 namespace isph {
 
-/// Where the rows stand, for solvers that group rows by place.
+/// Where the rows stand, for solvers that group rows by place, and whose they are, for solvers that
+/// keep something from step to step.
 struct RowPlaces {
     int dimension = 0;             ///< 0: not known
+    std::vector<Index> particle;   ///< number of the row's particle; ascending
     std::vector<Real> coordinate;  ///< `dimension` values a row
     std::vector<Real> spacing;     ///< distance between neighbours, one value a row; larger in soil
 

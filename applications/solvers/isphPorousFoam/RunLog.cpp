@@ -57,7 +57,8 @@ void logScene(const CaseFiles& files, const Scene<Dim>& scene)
          scheme.viscosity, fmt::join(scheme.force.c, " "));
     info("Projection: {}", schemeKeys().get<std::string>(files.schemes, "projection"));
     info("Stabilisation: {}, relaxation time {:g} s", describe(scheme.stabilisation), scheme.relaxationTime);
-    info("Pressure solver: {}", files.solution.subDict("pressure").template get<std::string>("solver"));
+    info("Pressure solver: {}",
+         SolverControls::keys().get<std::string>(files.solution.subDict("pressure"), "solver"));
     if (scene.porous) {
         info("Soil:");
         for (const SoilZone& zone : scene.porous->zones())

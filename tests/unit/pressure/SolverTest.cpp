@@ -14,7 +14,7 @@ using namespace isph::test;
 
 namespace {
 const std::vector<std::string> kSolvers{"solver cholmod;", "solver lagCholmod;",
-                                        "solver multigridPCG;", "solver hypre;",
+                                        "solver multigridPCG;", "solver hypre;", "solver auto;",
                                         "solver PCG;",  // MIC0
                                         "solver PCG; preconditioner IC0;",
                                         "solver PCG; preconditioner Jacobi;"};
@@ -282,7 +282,7 @@ TEST(PressureSolver, IsChosenByItsNameAndRefusesKeysItDoesNotHave)
         }
         return "no error";
     };
-    for (const std::string name : {"cholmod", "lagCholmod", "PCG"}) {
+    for (const std::string name : {"cholmod", "lagCholmod", "PCG", "multigridPCG", "hypre"}) {
         std::vector<Real> x(1, 0);
         SymmetricMatrix a;
         a.diagonal = {1};
