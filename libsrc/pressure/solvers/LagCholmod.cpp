@@ -13,6 +13,8 @@ bool KeptFactor::factorise(const SymmetricMatrix& matrix)
 {
     if (!factor_.factorise(matrix)) return false;
     rows_ = matrix.size();
+    r_.resize(rows_), z_.resize(rows_);
+    place_.reserve(rows_), inverseDiagonal_.reserve(rows_);
     place_.clear();
     const std::vector<Index>& particle = matrix.places.particle;
     rowOfParticle_.assign(particle.empty() ? 0 : particle.back() + 1, -1);
@@ -29,7 +31,7 @@ bool KeptFactor::serves(const SymmetricMatrix& matrix)
     if (particle.empty() || rowOfParticle_.empty()) return rows_ == matrix.size();
     const std::size_t n = matrix.size();
     place_.resize(n), inverseDiagonal_.resize(n);
-    r_.assign(rows_, 0), z_.resize(rows_);
+    std::fill(r_.begin(), r_.end(), 0);
     const auto known = static_cast<Index>(rowOfParticle_.size());
     parallelFor(n, [&](Index i) {
         place_[i] = particle[i] < known ? rowOfParticle_[particle[i]] : -1;

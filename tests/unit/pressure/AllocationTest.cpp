@@ -39,7 +39,8 @@ TEST(WorkArrays, AreKeptBetweenSolvesOfTheSameSize)
     const ParticleSystem s = particleSystem(Scene(60, 50));
     ComponentFinder finder;
     for (const std::string solver : {"solver PCG;", "solver PCG; preconditioner Jacobi;",
-                                     "solver lagCholmod;", "solver cholmod;"}) {
+                                     "solver lagCholmod;", "solver cholmod;",
+                                     "solver multigridPCG;"}) {
         const auto model = solverOf(solver);
         std::vector<Real> x(s.b.size(), 0);
         model->solve(s.matrix, s.b, x);

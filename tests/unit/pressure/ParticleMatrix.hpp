@@ -20,6 +20,7 @@ struct Scene {
     std::function<bool(int, int)> atmosphere = [top = &ny](int, int iy) { return iy == *top - 1; };
     std::function<Real(int, int)> beta = [](int, int) { return 1.0; };  ///< coefficient
     unsigned seed = 1;
+    bool withPlaces = true;  ///< the rows' places come with the matrix
 
     Scene() = default;
     Scene(int columns, int rows) : nx(columns), ny(rows) {}
@@ -52,6 +53,7 @@ inline ParticleSystem particleSystem(const Scene& scene)
         }
     ParticleSystem system;
     SymmetricMatrix& a = system.matrix;
+    if (scene.withPlaces) a.places.dimension = 2;
     constexpr int reach = 3;  // sites; jitter below 0.3
     constexpr Real support = 2.4;
     for (int iy = 0; iy < scene.ny; ++iy)
@@ -78,6 +80,10 @@ inline ParticleSystem particleSystem(const Scene& scene)
             a.rowStart.push_back(static_cast<PairIndex>(a.column.size()));
             system.anchored.push_back(anchored);
             system.b.push_back(std::cos(3.0 * ix / scene.nx) + 0.3 * noise(random));
+            if (!scene.withPlaces) continue;
+            a.places.coordinate.insert(a.places.coordinate.end(), {x[s], y[s]});
+            a.places.spacing.push_back(1);
+            a.places.particle.push_back(static_cast<Index>(s));
         }
     return system;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every pressure solver must do, whatever its method.
+#include "LayeredTank.hpp"
 #include "SolverTesting.hpp"
 
 #include "core/Error.hpp"
@@ -99,6 +100,33 @@ TEST_P(EverySolver, SolvesASprayWithThirtyPercentOfTheParticlesMissing)
     ParticleSystem s = particleSystem(scene);
     ComponentFinder finder;
     makeSolvable(s.matrix, s.b, finder.find(s.matrix, s.anchored));
+    EXPECT_TRUE(solveAndCompare(s.matrix, s.b).converged);
+}
+
+TEST_P(EverySolver, SolvesFilmsDropsAndLoneParticles)
+{
+    Scene scene(120, 60);  // a film two particles thick along p = 0, drops of nine, single particles
+    scene.present = [](int ix, int iy) {
+        const bool film = iy >= 57;
+        const bool drop = iy < 48 && iy % 8 < 3 && ix % 8 < 3;
+        const bool alone = iy < 48 && iy % 8 == 6 && ix % 8 == 6;
+        return film || drop || alone;
+    };
+    // one particle of each second drop is at the surface; the others have no level of their own
+    scene.atmosphere = [](int ix, int iy) { return iy == 59 || (ix % 16 == 0 && iy % 8 == 0); };
+    ParticleSystem s = particleSystem(scene);
+    ComponentFinder finder;
+    const FloatingComponents& floating = finder.find(s.matrix, s.anchored);
+    EXPECT_GT(floating.size(), 100u);
+    makeSolvable(s.matrix, s.b, floating);
+    EXPECT_TRUE(solveAndCompare(s.matrix, s.b).converged);
+}
+
+TEST_P(EverySolver, SolvesATankIn3DWithLayersOfSoil)
+{
+    LayeredTank tank;
+    tank.dimension = 3, tank.particles = 3000, tank.jump = 1e4;
+    const PressureSystem s = pressureSystem(tank);
     EXPECT_TRUE(solveAndCompare(s.matrix, s.b).converged);
 }
 
