@@ -5,8 +5,10 @@
 #include "case/InitialVelocity.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace isph {
 
@@ -124,6 +126,48 @@ void forEachRegion(const Dictionary& dict, const std::string& key, F&& f)
     }
 }
 
+/// Volume of water and soil, from samples over the domain.
+Real sampledVolume(const CaseGeometry& g)
+{
+    const int along = g.dimension == 2 ? 256 : 40;
+    Point cell{};
+    Real volume = 1;
+    for (int d = 0; d < g.dimension; ++d) {
+        cell[d] = (g.domain.max[d] - g.domain.min[d]) / along;
+        volume *= cell[d];
+    }
+    std::int64_t inside = 0;
+    const auto covers = [](const auto& regions, const Point& x) {
+        return std::any_of(regions.begin(), regions.end(),
+                           [&](const auto& region) { return region.shape->signedDistance(x) < 0; });
+    };
+    for (int k = 0; k < (g.dimension == 3 ? along : 1); ++k)
+        for (int j = 0; j < along; ++j)
+            for (int i = 0; i < along; ++i) {
+                Point x = g.domain.min;
+                const std::array<int, 3> number{i, j, k};
+                for (int d = 0; d < g.dimension; ++d) x[d] += (number[d] + 0.5) * cell[d];
+                inside += covers(g.water, x) + covers(g.soil, x);
+            }
+    return volume * static_cast<Real>(inside);
+}
+
+/// Refuses a spacing of which the particles can neither be numbered nor held in memory, before the first
+/// one is laid. Where the whole domain could be filled nothing is sampled.
+void requireCountable(const Dictionary& dict, const CaseGeometry& g)
+{
+    constexpr Real leastBytes = 150;   // of a particle while it is laid: position, velocity, packing
+    const Real memory = static_cast<Real>(sysconf(_SC_PHYS_PAGES)) * static_cast<Real>(sysconf(_SC_PAGESIZE));
+    const Real most = std::min(memory / leastBytes, Real(std::numeric_limits<Index>::max()));
+    Real domain = 1;
+    for (int d = 0; d < g.dimension; ++d) domain *= g.domain.max[d] - g.domain.min[d];
+    if (domain / g.cellVolume() < most) return;
+    const Real count = sampledVolume(g) / g.cellVolume();
+    if (count < most) return;
+    dict.fail("spacing", fmt::format("spacing {} m asks for about {:.2g} particles; this machine ({:.2g} GB) holds {:.2g} "
+                                     "at the very most", g.spacing, count, 1e-9 * memory, most));
+}
+
 }  // namespace
 
 CaseGeometry readGeometry(const Dictionary& dict, const std::array<bool, 3>& periodic,
@@ -160,6 +204,7 @@ CaseGeometry readGeometry(const Dictionary& dict, const std::array<bool, 3>& per
         g.soil.push_back({d.scopeName(), d.get<std::string>("zone"),
                           readShape(d, context, soilKeys().keys()), d.location()});
     });
+    requireCountable(dict, g);
     return g;
 }
 

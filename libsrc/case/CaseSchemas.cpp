@@ -73,6 +73,19 @@ Schema gravityKeys()
                 .byDefault("(0 0 0)")};
 }
 
+Vector3 readForce(const Dictionary& gravity, int dimension)
+{
+    gravityKeys().check(gravity);
+    Vector3 force{};
+    for (const std::string key : {"value", "bodyForce"}) {
+        const auto part = gravityKeys().get<Vector3>(gravity, key);
+        if (dimension == 2 && part[2] != 0)
+            gravity.fail(key, "a case of two dimensions lies in x and y: the third component has to be 0");
+        for (std::size_t d = 0; d < 3; ++d) force[d] += part[d];
+    }
+    return force;
+}
+
 Schema transportKeys()
 {
     return {Key::scalar("nu", "kinematic viscosity [m2/s]")

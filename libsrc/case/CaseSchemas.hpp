@@ -17,6 +17,9 @@ Schema wallConditionKeys();  ///< one wall of it
 Schema gravityKeys();        ///< constant/g
 Schema transportKeys();      ///< constant/transportProperties
 
+/// g + bodyForce of constant/g [m/s2]. In two dimensions a z is refused.
+Vector3 readForce(const Dictionary& gravity, int dimension);
+
 /// The directions that system/boundaryDict calls periodic. In two dimensions z is refused.
 std::array<bool, 3> readPeriodic(const Dictionary& boundaryDict, int dimension);
 

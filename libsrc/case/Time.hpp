@@ -89,6 +89,7 @@ private:
     enum class StopAt { endTime, noWriteNow, writeNow, nextWrite };
 
     void readControls();
+    void requireWayToGo() const;
     void rereadIfModified();
     void fitStep(Real wanted);
 

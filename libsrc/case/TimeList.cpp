@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case/TimeList.hpp"
 
+#include "case/Time.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -112,6 +114,36 @@ std::string timeStateText(const TimeState& state)
         state.name, state.value, state.index, state.deltaT, state.deltaT0, parts);
 }
 
+namespace {
+
+/// Whether a time folder of this name may hold this time, in any format and precision.
+bool isNameOf(const std::string& name, Real value)
+{
+    constexpr int most = 17;
+    for (const TimeFormat format : {TimeFormat::general, TimeFormat::fixed, TimeFormat::scientific})
+        for (int precision = 1; precision <= most; ++precision)
+            if (timeName(value, format, precision) == name) return true;
+    return false;
+}
+
+/// uniform/time speaks of this folder, and of a state that can be.
+void requireSound(const Dictionary& dict, const TimeState& state, const TimeFolder& folder)
+{
+    if (state.name != folder.name || !isNameOf(state.name, state.value))
+        dict.fail(state.name != folder.name ? "name" : "value",
+                  fmt::format("The time folder {} holds the state of time {} ({} s): was it renamed?\nRename it back; or, "
+                              "to start anew from its particles, call it 0 and remove its uniform/time.",
+                              folder.name, state.name, state.value));
+    const auto notNegative = [&](const std::string& key, Real value) {
+        if (value < 0) dict.fail(key, fmt::format("{} is {}, allowed: {} >= 0", key, value, key));
+    };
+    notNegative("index", state.index);
+    notNegative("deltaT", state.deltaT);
+    notNegative("deltaT0", state.deltaT0);
+}
+
+}  // namespace
+
 TimeState readTimeState(const TimeFolder& folder)
 {
     const std::filesystem::path file = folder.path / "uniform" / "time";
@@ -134,6 +166,7 @@ TimeState readTimeState(const TimeFolder& folder)
     state.deltaT = dict.get<Real>("deltaT");
     state.deltaT0 = dict.get<Real>("deltaT0");
     state.parts = dict.getOrDefault<std::vector<std::string>>("parts", {});
+    requireSound(dict, state, folder);
     for (const std::string& part : state.parts)
         if (!std::filesystem::exists(folder.path / (part + ".vtp"))) cutOff(part + ".vtp");
     return state;

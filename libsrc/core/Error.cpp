@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <new>
 #include <numeric>
 
 namespace isph {
@@ -22,7 +23,9 @@ int reportFatal(const std::exception& error)
                                                  : fmt::format("{}.", io->file());
         fmt::print(stderr, "\n\n--> FOAM FATAL IO ERROR:\n{}\n\nfile: {}\n\nFOAM exiting\n\n", io->what(), place);
     } else {
-        fmt::print(stderr, "\n\n--> FOAM FATAL ERROR:\n{}\n\nFOAM exiting\n\n", error.what());
+        const bool memory = dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const std::length_error*>(&error);
+        fmt::print(stderr, "\n\n--> FOAM FATAL ERROR:\n{}\n\nFOAM exiting\n\n",
+                   memory ? "Out of memory: the case asks for more particles than this machine holds." : error.what());
     }
     return 1;
 }

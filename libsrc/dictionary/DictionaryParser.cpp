@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -33,9 +35,12 @@ char closing(char open)
 
 std::string textOfFile(const std::filesystem::path& file)
 {
+    errno = 0;
     std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file))
-        throw FatalIOError("cannot open file", file.string(), 0);
+    std::error_code ignored;
+    const int cause = std::filesystem::is_directory(file, ignored) ? EISDIR : errno;
+    if (!stream || cause == EISDIR)
+        throw FatalIOError(fmt::format("cannot open file: {}", std::strerror(cause)), file.string(), 0);
     std::ostringstream text;
     text << stream.rdbuf();
     return text.str();
@@ -181,6 +186,9 @@ void DictionaryParser::place(DictionaryEntry entry)
 
 void DictionaryParser::parseSubDict(DictionaryEntry entry, const Lexeme& brace)
 {
+    constexpr std::size_t most = 200;   // far above any case's, far below what recursion bears
+    if (state_.scopes.size() > most)
+        fail(fmt::format("Dictionaries are nested more than {} deep: is a '}}' missing?", most), brace.line);
     OpenBrace opened{brace.line, lexer_.indentOf(brace.begin)};
     const DictionaryEntry* old = existing(entry);
     Dictionary* dict = old && state_.mode == InputMode::merge ? old->dict.get() : nullptr;

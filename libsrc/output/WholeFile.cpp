@@ -54,17 +54,18 @@ void writeWholeFile(const std::filesystem::path& file, std::string_view content)
     const std::filesystem::path temporary = file.string() + ".part";
     File out{std::fopen(temporary.c_str(), "wb")};
     if (!out) failed("cannot write file", file);
-    const bool written =
-        std::fwrite(content.data(), 1, content.size(), out.get()) == content.size();
-    if (!written || std::fflush(out.get()) != 0) {
-        const int cause = errno;
-        out.reset();
-        std::remove(temporary.c_str());
-        errno = cause;
-        failed("cannot write file", file);
-    }
+    bool written = std::fwrite(content.data(), 1, content.size(), out.get()) == content.size() &&
+                   std::fflush(out.get()) == 0;
+    int cause = errno;
     out.reset();
-    if (std::rename(temporary.c_str(), file.c_str()) != 0) failed("cannot write file", file);
+    if (written && std::rename(temporary.c_str(), file.c_str()) != 0) {
+        written = false;
+        cause = errno;
+    }
+    if (written) return;
+    std::remove(temporary.c_str());
+    errno = cause;
+    failed("cannot write file", file);
 }
 
 std::string withChecksum(std::string content)

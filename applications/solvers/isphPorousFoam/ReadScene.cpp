@@ -43,13 +43,10 @@ WaterProperties waterProperties(const CaseFiles& files, const Water<Dim>& water)
 {
     WaterProperties properties;
     properties.spacing = particlesKeys().get<Real>(files.particles, "spacing");
-    gravityKeys().check(files.gravity);
     transportKeys().check(files.transport);
     properties.density = transportKeys().get<Real>(files.transport, "rho");
     properties.viscosity = transportKeys().get<Real>(files.transport, "nu");
-    const auto g = gravityKeys().get<Vector3>(files.gravity, "value");
-    const auto body = gravityKeys().get<Vector3>(files.gravity, "bodyForce");
-    for (std::size_t d = 0; d < 3; ++d) properties.force[d] = g[d] + body[d];
+    properties.force = readForce(files.gravity, Dim);
     const Vec<Dim> down = unit(fromVector3<Dim>(properties.force));
     Real low = 0, high = 0;
     for (std::size_t i = 0; i < water.size(); ++i) {

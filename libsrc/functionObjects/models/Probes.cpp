@@ -37,6 +37,7 @@ public:
     {
         for (Quantity& quantity : quantities_) quantity.find(flow, dict_);
         dimension_ = flow.dimension;
+        requireInDomain(flow);
         const KernelField field(flow);
         const std::size_t width = columnsOfPoint().size();
         std::vector<Real> row(points_.size() * width);
@@ -87,6 +88,18 @@ private:
                                             listOf(names)));
         }
     };
+
+    /// A probe that can never see water is a slip of the pen.
+    void requireInDomain(const FlowView& flow) const
+    {
+        for (const Vector3& x : points_)
+            for (int d = 0; d < flow.dimension; ++d)
+                if (flow.domainMin[d] < flow.domainMax[d] &&
+                    (x[d] < flow.domainMin[d] || x[d] > flow.domainMax[d]))
+                    dict_.fail("probeLocations",
+                               fmt::format("the probe ({} {} {}) lies outside the domain, which is {} to {} along {}",
+                                           x[0], x[1], x[2], flow.domainMin[d], flow.domainMax[d], "xyz"[d]));
+    }
 
     void readName(const Token& token)
     {

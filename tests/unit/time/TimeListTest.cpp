@@ -76,7 +76,7 @@ TEST_F(TimeList, TheStartIsTheFirstTheLatestOrTheGivenTime)
 
 TEST_F(TimeList, TheStateOfARunIsReadBackBitForBit)
 {
-    const TimeState state{1.0 / 3, "0.35", 123456, std::numeric_limits<Real>::denorm_min(),
+    const TimeState state{0.35 + 1e-10 / 3, "0.35", 123456, std::numeric_limits<Real>::denorm_min(),
                           0.1,     {}};
     std::filesystem::create_directories(case_ / "0.35" / "uniform");
     std::ofstream(case_ / "0.35" / "uniform" / "time") << timeStateText(state);

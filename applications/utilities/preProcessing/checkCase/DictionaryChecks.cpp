@@ -54,12 +54,17 @@ std::string checkSolution(const Dictionary& solution)
 {
     solutionKeys().check(solution);
     PressureSolver::select(solution.subDict("pressure"));
-    return solution.subDict("pressure").get<std::string>("solver");
+    return SolverControls::keys().get<std::string>(solution.subDict("pressure"), "solver");
 }
 
-std::string checkGravity(const Dictionary& gravity)
+int dimensionOf(const fs::path& caseDir)
 {
-    gravityKeys().check(gravity);
+    return particlesKeys().get<int>(Dictionary::read(caseDir / "system" / "particlesDict"), "dimension");
+}
+
+std::string checkGravity(const fs::path& caseDir, const Dictionary& gravity)
+{
+    readForce(gravity, dimensionOf(caseDir));
     const Vector3 g = gravityKeys().get<Vector3>(gravity, "value");
     return fmt::format("({} {} {}) m/s2", g[0], g[1], g[2]);
 }
@@ -122,7 +127,7 @@ void checkDictionaries(const fs::path& caseDir, Checklist& list)
     checkFile(list, caseDir, "system/isphSolution", "", checkSolution);
     checkFile(list, caseDir, "system/boundaryDict", "no periodic direction, walls slip",
               [&](const Dictionary& d) { return checkBoundaries(caseDir, d); });
-    checkFile(list, caseDir, "constant/g", "", checkGravity);
+    checkFile(list, caseDir, "constant/g", "", [&](const Dictionary& d) { return checkGravity(caseDir, d); });
     checkFile(list, caseDir, "constant/transportProperties", "nu = 1e-6 m2/s, rho = 1000 kg/m3",
               checkTransport);
     checkFile(list, caseDir, "constant/porousZones", "no soil", checkZones);

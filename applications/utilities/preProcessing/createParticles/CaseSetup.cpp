@@ -54,6 +54,8 @@ CaseSetup readCase(const std::filesystem::path& caseDir)
     const Dictionary boundaries = readOptional(caseDir / "system" / "boundaryDict");
     const auto periodic = readPeriodic(boundaries, particles.getOrDefault("dimension", 3));
     setup.geometry = readGeometry(particles, periodic, caseDir);
+    if (setup.geometry.water.empty())
+        particles.fail("water", "water holds no region: a case has some water to begin with");
     setup.porousZones = readOptional(caseDir / "constant" / "porousZones");
     const Dictionary& zones = setup.porousZones;
     for (const std::string& name : zones.keywords())
