@@ -103,7 +103,7 @@ void Aggregation::uniteBucket(const LevelMatrix<Weight>& matrix, const RowSums& 
     for (Index i = first; i >= 0 && missing > 0; i = next_[i])
         for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1] && missing > 0; ++k) {
             const Index j = matrix.column[k];
-            if (keys[j] != keys[i] || root_[j] < 0) continue;
+            if (j < i || keys[j] != keys[i] || root_[j] < 0) continue;  // each pair once
             const Real strong = strength * std::max(sums.largest[i], sums.largest[j]);
             if (!(-static_cast<Real>(matrix.offDiagonal[k]) >= strong)) continue;
             const Index a = find(root_, i), b = find(root_, j);

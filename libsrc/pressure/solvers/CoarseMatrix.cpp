@@ -32,37 +32,45 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
                                  const Aggregation& groups, Part& part, SymmetricMatrix& coarse,
                                  RowSums& coarseSums)
 {
-    part.slot.assign(groups.size(), -1);
-    part.column.clear(), part.value.clear();
+    constexpr Index self = 0, ungrouped = 1, others = 2;
+    part.slot.assign(groups.size() + 1, -1);
+    part.columns.clear(), part.values.clear();
+    Index base = 0;  // slots count on from row to row, so that none need be reset
     for (Index g = part.first; g < part.last; ++g) {
-        const auto begin = static_cast<Index>(part.column.size());
+        Index entries = others;
+        part.slot[g + 1] = base + self;
+        part.slot[0] = base + ungrouped;
         Real excess = 0;
         for (const Index i : groups[g]) {
             excess += fineSums.excess[i];
-            for (PairIndex k = fine.rowStart[i]; k < fine.rowStart[i + 1]; ++k) {
+            const PairIndex begin = fine.rowStart[i], end = fine.rowStart[i + 1];
+            const std::size_t most = entries + static_cast<std::size_t>(end - begin);
+            if (part.value.size() < most) part.column.resize(2 * most), part.value.resize(2 * most);
+            if (i == groups[g].front()) part.value[self] = part.value[ungrouped] = 0;
+            for (PairIndex k = begin; k < end; ++k) {
                 const Index other = groups.group[fine.column[k]];
-                if (other == g) continue;
-                const auto a_ij = static_cast<Real>(fine.offDiagonal[k]);
-                if (other < 0) {  // the coarse correction is 0 there
-                    excess -= a_ij;
-                } else if (Index& slot = part.slot[other]; slot >= begin) {
-                    part.value[slot] += a_ij;
-                } else {
-                    slot = static_cast<Index>(part.column.size());
-                    part.column.push_back(other);
-                    part.value.push_back(a_ij);
+                Index& slot = part.slot[other + 1];
+                if (slot < base) {
+                    slot = base + entries;
+                    part.column[entries] = other;
+                    part.value[entries++] = 0;
                 }
+                part.value[slot - base] += static_cast<Real>(fine.offDiagonal[k]);
             }
         }
+        excess -= part.value[ungrouped];  // the coarse correction is 0 there
         Real sum = 0, largest = 0;
-        for (auto k = static_cast<std::size_t>(begin); k < part.value.size(); ++k) {
-            sum -= part.value[k];
-            largest = std::max(largest, -part.value[k]);
+        for (Index e = others; e < entries; ++e) {
+            sum -= part.value[e];
+            largest = std::max(largest, -part.value[e]);
         }
-        coarse.rowStart[g + 1] = static_cast<Index>(part.column.size()) - begin;
+        part.columns.insert(part.columns.end(), &part.column[others], &part.column[entries]);
+        part.values.insert(part.values.end(), &part.value[others], &part.value[entries]);
+        coarse.rowStart[g + 1] = entries - others;
         coarse.diagonal[g] = excess + sum;
         coarseSums.excess[g] = excess;
         coarseSums.largest[g] = largest;
+        base += entries;
     }
 }
 
@@ -76,8 +84,8 @@ void CoarseMatrixBuilder::join(SymmetricMatrix& coarse)
 #pragma omp parallel for schedule(static, 1) if (parts > 1)
     for (int p = 0; p < parts; ++p) {
         const PairIndex begin = coarse.rowStart[parts_[p].first];
-        std::copy(parts_[p].column.begin(), parts_[p].column.end(), coarse.column.begin() + begin);
-        std::copy(parts_[p].value.begin(), parts_[p].value.end(), coarse.offDiagonal.begin() + begin);
+        std::copy(parts_[p].columns.begin(), parts_[p].columns.end(), coarse.column.begin() + begin);
+        std::copy(parts_[p].values.begin(), parts_[p].values.end(), coarse.offDiagonal.begin() + begin);
     }
 }
 

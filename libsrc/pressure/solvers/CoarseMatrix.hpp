@@ -15,12 +15,13 @@ public:
                SymmetricMatrix& coarse, RowSums& coarseSums);
 
 private:
-    /// The rows of a run of groups, made by one thread.
+    /// The rows of a run of groups, made by one thread. The row at hand is summed in `column` and
+    /// `value`, whose first two places are its diagonal and what ties it to rows without a group.
     struct Part {
         Index first = 0, last = 0;
-        std::vector<Index> slot;  ///< of a column in the row at hand, if not below its start
-        std::vector<Index> column;
-        std::vector<Real> value;
+        std::vector<Index> slot;  ///< of group + 1 in the row at hand; less than its base: none yet
+        std::vector<Index> column, columns;
+        std::vector<Real> value, values;
     };
     template <class Weight>
     void gather(const LevelMatrix<Weight>& fine, const RowSums& fineSums, const Aggregation& groups,
