@@ -24,6 +24,7 @@ struct FlowView {
 
     // Water particles, one entry each. 2-D: z = 0.
     std::vector<Vector3> position;
+    std::vector<std::int64_t> id;  ///< of a particle, the same in all steps
     std::vector<Real> porosity;                        ///< 1 in clear water
     std::map<std::string, std::vector<Real>> scalars;  ///< "p" [Pa], "porosity", ...
     std::map<std::string, std::vector<Vector3>>

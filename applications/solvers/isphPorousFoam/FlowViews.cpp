@@ -18,6 +18,7 @@ FlowView flowView(const Scene<Dim>& scene, const StepFields<Dim>& fields, Real t
     view.kernel = scene.kernel.get();
     view.smoothingRatio = scene.scheme.h0 / scene.scheme.spacing;
     view.position = toVectors3(scene.water.x);
+    view.id = scene.water.id;
     view.porosity.assign(fields.soil.porosity.begin(), fields.soil.porosity.begin() + n);
     view.scalars["porosity"] = view.porosity;
     view.scalars["p"] = pressure(scene);

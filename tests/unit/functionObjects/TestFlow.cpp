@@ -57,6 +57,7 @@ void addWater(FlowView& flow, const Vector3& low, const Vector3& high, Real poro
     for (const Real z : line[2])
         for (const Real y : line[1])
             for (const Real x : line[0]) {
+                flow.id.push_back(static_cast<std::int64_t>(flow.position.size()));
                 flow.position.push_back({x, y, z});
                 flow.porosity.push_back(porosity);
                 flow.scalars["p"].push_back(0);

@@ -196,12 +196,14 @@ void drawMap(const Report& report, const std::vector<Result>& results, const std
         "noenhanced\nset xlabel '{}' noenhanced\nset ylabel '{}' noenhanced\nset logscale cb\nset "
         "format cb '%g'\nset cblabel '{}' noenhanced\nset palette defined (0 '#2166ac', 1 "
         "'#67a9cf', 2 "
-        "'#fddbc7', 3 '#b2182b')\nset key outside bottom center horizontal\nplot ",
+        "'#fddbc7', 3 '#b2182b')\nset key outside top center horizontal\nplot ",
         first.values.size() - 1, second.values.size() - 1, tics(first), tics(second),
         plain(first.name), plain(second.name), plain(error));
     std::vector<std::string> parts;
-    if (counts[0])
+    if (counts[0]) {
         parts.push_back("$good using 1:2:3 with points pt 5 ps 4 lc palette title 'stable'");
+        parts.push_back("$good using 1:2:(sprintf('%.3g', $3)) with labels offset 0,1.7 notitle");
+    }
     if (counts[1])
         parts.push_back(
             "$unknown using 1:2 with points pt 4 ps 4 lc 'black' title 'stable, no error'");
