@@ -54,7 +54,9 @@ pid_t start(const Command& command)
     std::vector<char*> variables;
     for (std::string& entry : environment) variables.push_back(entry.data());
     variables.push_back(nullptr);
-    std::string shell = "/bin/sh", option = "-c", line = command.line;
+    // In the place of the shell where it is one command: its use is then what is measured.
+    const bool single = command.line.find_first_of(";&|=\n") == std::string::npos;
+    std::string shell = "/bin/sh", option = "-c", line = (single ? "exec " : "") + command.line;
     char* words[] = {shell.data(), option.data(), line.data(), nullptr};
     pid_t pid = 0;
     const int error = posix_spawn(&pid, "/bin/sh", &files, &attributes, words, variables.data());
@@ -89,6 +91,11 @@ ProcessEnd runCommand(const Command& command)
             told = wallSeconds();
         }
         if (told > 0 && wallSeconds() - told > patience) kill(-pid, SIGKILL);
+        std::this_thread::sleep_for(pause);
+    }
+    // What the shell started may still write its state: the next command waits for that.
+    while (told > 0 && kill(-pid, 0) == 0) {
+        if (wallSeconds() - told > patience) kill(-pid, SIGKILL);
         std::this_thread::sleep_for(pause);
     }
     end.wall = wallSeconds() - begin;
