@@ -5,10 +5,12 @@
 #include "core/Error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 
 namespace isph {
 
@@ -137,14 +139,37 @@ std::string guides(const std::vector<Curve>& all)
     return text;
 }
 
+/// Axes a little longer than the points need; gnuplot's own end at whole decades.
+std::string ranges(const std::vector<Curve>& all)
+{
+    constexpr Real margin = 1.5;
+    Dot low = all.front().dots.front(), high = low;
+    for (const Curve& curve : all)
+        for (const Dot& dot : curve.dots) {
+            low = {std::min(low.x, dot.x), std::min(low.y, dot.y)};
+            high = {std::max(high.x, dot.x), std::max(high.y, dot.y)};
+        }
+    return fmt::format("set xrange [{:.10g}:{:.10g}]\nset yrange [{:.10g}:{:.10g}]\n",
+                       low.x / margin, high.x * margin, low.y / margin / margin, high.y * margin);
+}
+
+/// A mark at each place of the points.
+std::string tics(const std::vector<Curve>& all)
+{
+    std::set<Real> places;
+    for (const Curve& curve : all)
+        for (const Dot& dot : curve.dots) places.insert(dot.x);
+    return fmt::format("set xtics ({:g})\n", fmt::join(places, ", "));
+}
+
 void drawLines(const fs::path& folder, const std::string& name, const std::vector<Curve>& all,
                const Axis& x, const std::string& error)
 {
     std::string plot = fmt::format(
         "set logscale xy\nset format x '%g'\nset format y '%g'\nset grid\nset key outside bottom "
         "center horizontal noenhanced\nset xlabel '{}' noenhanced\nset ylabel '{}' noenhanced\n"
-        "set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\nplot ",
-        plain(x.label), plain(error));
+        "{}plot ",
+        plain(x.label), plain(error), ranges(all));
     for (std::size_t k = 0; k < all.size(); ++k) {
         std::string title = all[k].name;
         const std::optional<Real> fitted = x.slopes ? slope(all[k].dots) : std::nullopt;
@@ -153,7 +178,7 @@ void drawLines(const fs::path& folder, const std::string& name, const std::vecto
             fmt::format("{}$line{} using 1:2 with linespoints pointsize 1.2 linewidth 2 title '{}'",
                         k ? ", " : "", k, plain(title));
     }
-    if (x.slopes) plot += guides(all);
+    if (x.slopes) plot = tics(all) + plot + guides(all);
     draw(folder, name, script(name, blocks(all), plot + "\n"));
 }
 
