@@ -11,11 +11,12 @@ namespace {
 constexpr Real kDamping = 0.8;
 /// Entries below this share of the largest of their rows do not hold a group together.
 constexpr Real kStrength = 0.05;
-/// The same where places are not known: only near neighbours, else groups become too large.
-constexpr Real kNeighbourStrength = 0.25;
+/// The same where places are not known, until groups are few enough: near neighbours if possible,
+/// else groups become too large; across a jump of the coefficient only where nothing else is left.
+constexpr Real kNeighbourStrengths[] = {0.25, 0.1, kStrength, 0.01, 0};
 /// A level must have fewer rows than this share of the finer one's.
 constexpr Real kReduction = 0.7;
-/// How often cells are doubled to reach that, before neighbours are joined whatever their strength.
+/// How often cells are doubled to reach that, before neighbours are joined without regard to cells.
 constexpr int kDoublings = 3;
 /// The coarsest level has no more rows than this: its factor fits the cache.
 constexpr std::size_t kDirectRows = 400;
@@ -99,16 +100,18 @@ bool Multigrid::group(const LevelMatrix<Weight>& matrix, Level& level)
     const auto enough = [&, most = kReduction * static_cast<Real>(n)] {
         return static_cast<Real>(level.groups.size()) < most;
     };
-    if (level.keys.empty()) {
-        level.groups.byNeighbours(matrix, level.sums, kNeighbourStrength);
-    } else {
+    if (!level.keys.empty()) {
         level.groups.byCells(matrix, level.sums, level.keys, kStrength);
         for (int doubling = 0; doubling < kDoublings && !enough(); ++doubling) {
             forRows(n, [&](Index i) { level.keys[i] = coarserKey(level.keys[i]); });
             level.groups.byCells(matrix, level.sums, level.keys, kStrength);
         }
+        if (enough()) return level.groups.size() > 0;
     }
-    if (!enough()) level.groups.byNeighbours(matrix, level.sums, 0);
+    for (const Real strength : kNeighbourStrengths) {
+        level.groups.byNeighbours(matrix, level.sums, strength);
+        if (enough()) break;
+    }
     return level.groups.size() > 0;
 }
 

@@ -202,6 +202,16 @@ TEST(Multigrid, SolvesWhereNoPlacesAreKnown)
         }
 }
 
+TEST(Multigrid, GroupsAcrossNoJumpWhereParticlesStandInDisorder)
+{
+    LayeredTank tank;  // few neighbours are near ones: groups of near ones alone would be pairs
+    tank.dimension = 3, tank.particles = 20000, tank.jump = 1e6, tank.jitter = 0.5;
+    for (const bool withPlaces : {true, false}) {
+        tank.withPlaces = withPlaces;
+        EXPECT_LE(iterations(tank), 25) << (withPlaces ? "with places" : "without");
+    }
+}
+
 TEST(Multigrid, OneTwoAndThreeThreadsAgreeBitForBit)
 {
     for (const int dimension : {2, 3}) {
