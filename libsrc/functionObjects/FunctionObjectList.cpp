@@ -194,6 +194,19 @@ bool FunctionObjectList::dueAtEnd(const StepInstant& now)
     return any;
 }
 
+bool FunctionObjectList::dueAll(const StepInstant& now)
+{
+    time_ = now.value;
+    index_ = now.index;
+    bool any = false;
+    for (Entry& entry : entries_) {
+        entry.run = false;
+        entry.write = entry.enabled && entry.inside(now);
+        any = any || entry.write;
+    }
+    return any;
+}
+
 void FunctionObjectList::openFile(Entry& entry)
 {
     std::vector<std::string> header{entry.type + " " + entry.name};

@@ -157,6 +157,7 @@ Scene<Dim> readScene(const CaseFiles& files, const TimeFolder& start)
     scene.wallCloud = WallCloud<Dim>(scene.walls, scene.box, reach + scene.scheme.spacing);
     scene.noSlip = readNoSlip(files, scene);
     readSoil(files, scene);
+    if (readTimeState(start).index == 0) sortParticles(scene);   // later ones are written sorted
     scene.solver = PressureSolver::select(files.solution.subDict("pressure"));
     if (files.turbulence.found("turbulenceModel")) {
         scene.turbulence = TurbulenceModel::select(files.turbulence);

@@ -28,16 +28,6 @@ std::unique_ptr<ProjectionStep<Dim>> makeStep(const CaseFiles& files, Scene<Dim>
     return std::make_unique<DragImplicitStep<Dim>>(scene, timers);
 }
 
-/// Particles in the order of cells, as neighbours in space are to be neighbours in memory. Done where
-/// the state is written, so that a restart has the same order.
-template <int Dim>
-void sortParticles(Scene<Dim>& scene)
-{
-    CellGrid<Dim> grid;
-    grid.build(scene.water.x, scene.kernel->supportRadius() * scene.scheme.h0);
-    scene.water.reorder(grid.order());
-}
-
 template <int Dim>
 class Run {
 public:
@@ -46,7 +36,6 @@ public:
           time_(controlDict, files.caseDir, readTimeState(start_)), step_(makeStep(files, scene_, timers_)),
           writer_(files.caseDir)
     {
-        if (time_.index() == 0) sortParticles(scene_);
         if (options.functionObjects)
             functions_ = FunctionObjectList(controlDict, {files.caseDir, time_.name(), time_.instant()});
         measures_ = options.functionObjects;

@@ -15,6 +15,14 @@ void takeParticles(const std::map<std::string, ParticleFile>& files, Scene<Dim>&
 }
 
 template <int Dim>
+void sortParticles(Scene<Dim>& scene)
+{
+    CellGrid<Dim> grid;
+    grid.build(scene.water.x, scene.kernel->supportRadius() * scene.scheme.h0);
+    scene.water.reorder(grid.order());
+}
+
+template <int Dim>
 ParticleFile waterFile(const Scene<Dim>& scene, const StepFields<Dim>& fields)
 {
     ParticleFile file = fileOf(scene.water, scene.scheme.spacing);
@@ -45,6 +53,7 @@ std::vector<Real> pressure(const Scene<Dim>& scene)
 
 #define ISPH_INSTANTIATE(Dim)                                                                      \
     template void takeParticles(const std::map<std::string, ParticleFile>&, Scene<Dim>&);          \
+    template void sortParticles(Scene<Dim>&);                                                      \
     template ParticleFile waterFile(const Scene<Dim>&, const StepFields<Dim>&);                    \
     template std::vector<Real> pressure(const Scene<Dim>&);
 ISPH_INSTANTIATE(2)

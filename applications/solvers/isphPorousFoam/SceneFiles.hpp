@@ -13,6 +13,11 @@ namespace isph {
 template <int Dim>
 void takeParticles(const std::map<std::string, ParticleFile>& files, Scene<Dim>& scene);
 
+/// Particles in the order of cells, as neighbours in space are to be neighbours in memory. Done at the
+/// start and where the state is written, so that a restart has the same order.
+template <int Dim>
+void sortParticles(Scene<Dim>& scene);
+
 /// The water with everything that a restart needs, bit for bit; and what users look at: p, porosity,
 /// UDarcy in scenes with soil.
 template <int Dim>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Free-surface flow, seepage and scour by incompressible SPH.
+#include "PostProcess.hpp"
 #include "Run.hpp"
 
 #include "case/StopSignal.hpp"
@@ -30,6 +31,15 @@ bool listModels(const CommandLine& line)
     return listed;
 }
 
+void requirePostProcess(const CommandLine& line)
+{
+    for (const char* option : {"time", "latestTime"})
+        if (line.has(option) && !line.has("postProcess"))
+            throw FatalError(fmt::format("The option -{} belongs to -postProcess; a run starts where startFrom in "
+                                         "system/controlDict says.", option));
+    if (line.has("time") && line.has("latestTime")) throw FatalError("Give -time or -latestTime, not both.");
+}
+
 void loadCaseLibraries(const Dictionary& controlDict)
 {
     if (!controlDict.found("libs")) return;
@@ -40,17 +50,26 @@ int run(int argc, char** argv)
 {
     CommandLine line("isphPorousFoam", "Free-surface flow, seepage and scour by incompressible SPH.");
     line.flag("dryRun", "read and check everything, print what is active and left out, and end");
+    line.flag("postProcess", "run the function objects over the time folders that are there, and end");
+    line.option("time", "times", "times of -postProcess: '0.35,0.75', ranges '0.5:1' (default: all)");
+    line.flag("latestTime", "of -postProcess: only the latest time");
     for (const char* family : {"Kernels", "PorousModels", "ErosionModels", "TurbulenceModels", "PressureSolvers",
                                "FunctionObjects"})
         line.flag(std::string("list") + family, "print the names that may be chosen");
     if (const auto exitCode = line.parse(argc, argv)) return *exitCode;
     if (listModels(line)) return 0;
+    requirePostProcess(line);
     line.printBanner();
     info("Create time\n");
     catchStopSignals();
     const Dictionary controlDict = Dictionary::read(line.caseDir() / "system" / "controlDict");
     loadCaseLibraries(controlDict);
     const CaseFiles files(line.caseDir());
+    if (line.has("postProcess")) {
+        const std::string times = line.has("latestTime") ? "latestTime" : line.value("time", ":");
+        return files.dimension() == 2 ? postProcess<2>(files, controlDict, times)
+                                      : postProcess<3>(files, controlDict, times);
+    }
     const RunOptions options{line.functionObjects(), line.has("dryRun")};
     return files.dimension() == 2 ? runCase<2>(files, controlDict, options) : runCase<3>(files, controlDict, options);
 }
