@@ -68,6 +68,14 @@ TEST_F(Variants, MaySetWholeDictionariesUnderAShortName)
               (Names{"base", "stab=alpha_0.1", "stab=a_b"}));
 }
 
+TEST_F(Variants, CallADictionaryOfTheCaseByItsWordsInOneLine)
+{
+    write("system/isphSchemes", "stabilisation\n{\n    type   none;\n}\n");
+    writeReportDict(
+        "vary { s { file \"system/isphSchemes\"; entries (stabilisation); values (\"{}\"); } }");
+    EXPECT_EQ(readReport(case_).keys[0].base.label, "{ type none; }");
+}
+
 TEST_F(Variants, SayInOneMessageWhatIsWrongWithReportDict)
 {
     const auto says = [&](const std::string& text, const std::string& words) {

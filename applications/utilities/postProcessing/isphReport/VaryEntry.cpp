@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace isph {
 
@@ -77,11 +78,14 @@ std::vector<KeyValue> rangeValues(const Dictionary& dict)
     return values;
 }
 
-/// Tables and folders want short names.
+/// Tables and folders want short names in one line.
 std::string shortLabel(const std::string& text)
 {
     constexpr std::size_t most = 32;
-    return text.size() <= most ? text : text.substr(0, most - 3) + "...";
+    std::string label;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) label += (label.empty() ? "" : " ") + word;
+    return label.size() <= most ? label : label.substr(0, most - 3) + "...";
 }
 
 std::vector<KeyValue> listedValues(const Dictionary& dict)
