@@ -66,7 +66,8 @@ Equation readEquation(const std::filesystem::path& file)
     std::vector<std::int64_t> sizes;
     take(in, sizes, 3);
     if (!in || magic != kMagic) fail(file, "holds no pressure equation of this version");
-    const auto rows = static_cast<std::size_t>(sizes[0]), entries = static_cast<std::size_t>(sizes[1]);
+    const auto rows = static_cast<std::size_t>(sizes[0]),
+               entries = static_cast<std::size_t>(sizes[1]);
     Equation equation;
     SymmetricMatrix& matrix = equation.matrix;
     take(in, matrix.rowStart, rows + 1);

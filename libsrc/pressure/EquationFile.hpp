@@ -14,7 +14,8 @@ struct Equation {
 };
 
 /// Binary, in this machine's byte order: "isphEquation1\n", the numbers of rows, entries and
-/// dimensions (64-bit), then the arrays; the numbers of the particles may be left out. Throws FatalError where the file cannot be written.
+/// dimensions (64-bit), then the arrays; the numbers of the particles may be left out. Throws
+/// FatalError where the file cannot be written.
 void writeEquation(const std::filesystem::path& file, const SymmetricMatrix& matrix,
                    Span<const Real> b, Span<const Real> x);
 /// Throws FatalError where the file is missing, cut off or something else.

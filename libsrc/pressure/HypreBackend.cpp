@@ -15,7 +15,8 @@ Schema HypreBackend::keys()
         Key::word("coarsening", "How BoomerAMG chooses the rows of coarser levels.")
             .byDefault("HMIS")
             .oneOf({"HMIS", "PMIS"}),
-        Key::integer("aggressiveLevels", "Levels of aggressive coarsening, counted from the finest.")
+        Key::integer("aggressiveLevels",
+                     "Levels of aggressive coarsening, counted from the finest.")
             .byDefault("1")
             .atLeast(0),
         Key::scalar("strongThreshold",

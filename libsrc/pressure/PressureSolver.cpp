@@ -14,7 +14,8 @@ PressureSolver::Table& PressureSolver::table()
 std::unique_ptr<PressureSolver> PressureSolver::select(const Dictionary& pressure)
 {
     const Schema keys = SolverControls::keys();
-    auto solver = table().make(keys.get<std::string>(pressure, "solver"), pressure, pressure, "solver");
+    auto solver =
+        table().make(keys.get<std::string>(pressure, "solver"), pressure, pressure, "solver");
     const int interval = keys.get<int>(pressure, "recordInterval");
     if (interval > 0) return std::make_unique<RecordingSolver>(std::move(solver), interval);
     return solver;

@@ -173,12 +173,11 @@ void BoomerAMG::setUpRows(const SymmetricMatrix& matrix, Index first, Index last
     s.copy(matrix);
     check("taking the matrix");
     if (newHierarchy || !s.multigrid) s.makeMultigrid(s.settings);
-    HYPRE_PCGSetPrecond(s.gradients, reinterpret_cast<HYPRE_PtrToSolverFcn>(HYPRE_BoomerAMGSolve),
-                        // the hierarchy is there already
-                        [](HYPRE_Solver, HYPRE_Matrix, HYPRE_Vector, HYPRE_Vector) -> HYPRE_Int {
-                            return 0;
-                        },
-                        s.multigrid);
+    HYPRE_PCGSetPrecond(
+        s.gradients, reinterpret_cast<HYPRE_PtrToSolverFcn>(HYPRE_BoomerAMGSolve),
+        // the hierarchy is there already
+        [](HYPRE_Solver, HYPRE_Matrix, HYPRE_Vector, HYPRE_Vector) -> HYPRE_Int { return 0; },
+        s.multigrid);
     HYPRE_ParCSRPCGSetup(s.gradients, s.parMatrix(), s.par(s.b), s.par(s.x));
     check("the setup of conjugate gradients");
 }

@@ -46,10 +46,12 @@ void cellKeys(const RowPlaces& places, std::vector<CellKey>& keys)
     const Real finest = -orderedMax(n, -std::numeric_limits<Real>::max(),
                                     [&](Index i) { return -places.spacing[i]; });
     std::array<Real, kGrids> edge;
-    for (int grid = 0; grid < kGrids; ++grid) edge[grid] = kCellEdge * finest * std::exp2(0.5 * grid);
+    for (int grid = 0; grid < kGrids; ++grid)
+        edge[grid] = kCellEdge * finest * std::exp2(0.5 * grid);
     keys.resize(n);
     forRows(n, [&](Index i) {
-        const auto nearest = static_cast<int>(std::lround(2 * std::log2(places.spacing[i] / finest)));
+        const auto nearest =
+            static_cast<int>(std::lround(2 * std::log2(places.spacing[i] / finest)));
         const int grid = std::min(nearest, kGrids - 1);
         CellKey key = 0;
         for (int d = 0; d < dim; ++d) {
@@ -128,7 +130,8 @@ void Aggregation::byCells(const LevelMatrix<Weight>& matrix, const RowSums& sums
 }
 
 template <class Weight>
-void Aggregation::byNeighbours(const LevelMatrix<Weight>& matrix, const RowSums& sums, Real strength)
+void Aggregation::byNeighbours(const LevelMatrix<Weight>& matrix, const RowSums& sums,
+                               Real strength)
 {
     const auto n = static_cast<Index>(matrix.size());
     constexpr Index out = -1, free = -2;
@@ -193,9 +196,9 @@ void Aggregation::number()
     start.pop_back();
 }
 
-#define ISPH_INSTANTIATE(Weight)                                                                 \
-    template void Aggregation::byCells(const LevelMatrix<Weight>&, const RowSums&,               \
-                                       Span<const CellKey>, Real);                               \
+#define ISPH_INSTANTIATE(Weight)                                                   \
+    template void Aggregation::byCells(const LevelMatrix<Weight>&, const RowSums&, \
+                                       Span<const CellKey>, Real);                 \
     template void Aggregation::byNeighbours(const LevelMatrix<Weight>&, const RowSums&, Real);
 ISPH_INSTANTIATE(float)
 ISPH_INSTANTIATE(Real)

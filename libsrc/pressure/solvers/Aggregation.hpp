@@ -29,7 +29,7 @@ CellKey coarserKey(CellKey key);
 /// Groups of rows, numbered in the order of their first rows.
 class Aggregation {
 public:
-    std::vector<Index> group;          ///< of every row; -1: none, the smoother alone solves the row
+    std::vector<Index> group;  ///< of every row; -1: none, the smoother alone solves the row
     std::vector<Index> start, member;  ///< rows of each group, ascending
 
     std::size_t size() const { return start.empty() ? 0 : start.size() - 1; }
@@ -57,8 +57,8 @@ private:
     void sortByKey(Span<const CellKey> keys);
     void number();
 
-    std::vector<Index> root_;           ///< any one row of the piece; -1: the row stays out
-    std::vector<Index> head_, next_;    ///< rows of each bucket of keys, ascending; -1: the end
+    std::vector<Index> root_;         ///< any one row of the piece; -1: the row stays out
+    std::vector<Index> head_, next_;  ///< rows of each bucket of keys, ascending; -1: the end
     std::vector<Index> numberOfRoot_;
 };
 

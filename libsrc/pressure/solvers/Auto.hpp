@@ -7,8 +7,8 @@
 
 namespace isph {
 
-/// Picks the solver that is fastest at the size and dimension of each equation, and writes a line to
-/// the log when it takes one for the first time:
+/// Picks the solver that is fastest at the size and dimension of each equation, and writes a line
+/// to the log when it takes one for the first time:
 ///   lagCholmod    2-D, up to 1000 rows: several times faster where particles move little, equal
 ///                 where they splash
 ///   multigridPCG  all else

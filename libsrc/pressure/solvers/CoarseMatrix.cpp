@@ -27,46 +27,58 @@ void CoarseMatrixBuilder::build(const LevelMatrix<Weight>& fine, const RowSums& 
     join(coarse);
 }
 
+namespace {
+constexpr Index kSelf = 0, kUngrouped = 1, kOthers = 2;  // places in the row at hand
+}
+
+/// Sums the rows of group g into part.column and part.value; returns how many places it took.
+template <class Weight>
+Index CoarseMatrixBuilder::sumRow(const LevelMatrix<Weight>& fine, const Aggregation& groups,
+                                  Index g, Index base, Part& part)
+{
+    std::size_t most = kOthers;
+    for (const Index i : groups[g]) most += fine.rowStart[i + 1] - fine.rowStart[i];
+    if (part.value.size() < most) part.column.resize(2 * most), part.value.resize(2 * most);
+    part.slot[g + 1] = base + kSelf;
+    part.slot[0] = base + kUngrouped;
+    part.value[kSelf] = part.value[kUngrouped] = 0;
+    Index entries = kOthers;
+    for (const Index i : groups[g])
+        for (PairIndex k = fine.rowStart[i]; k < fine.rowStart[i + 1]; ++k) {
+            const Index other = groups.group[fine.column[k]];
+            Index& slot = part.slot[other + 1];
+            if (slot < base) {
+                slot = base + entries;
+                part.column[entries] = other;
+                part.value[entries++] = 0;
+            }
+            part.value[slot - base] += static_cast<Real>(fine.offDiagonal[k]);
+        }
+    return entries;
+}
+
 template <class Weight>
 void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums& fineSums,
                                  const Aggregation& groups, Part& part, SymmetricMatrix& coarse,
                                  RowSums& coarseSums)
 {
-    constexpr Index self = 0, ungrouped = 1, others = 2;
     part.slot.assign(groups.size() + 1, -1);
     part.columns.clear(), part.values.clear();
     Index base = 0;  // slots count on from row to row, so that none need be reset
     for (Index g = part.first; g < part.last; ++g) {
-        Index entries = others;
-        part.slot[g + 1] = base + self;
-        part.slot[0] = base + ungrouped;
-        Real excess = 0;
-        for (const Index i : groups[g]) {
-            excess += fineSums.excess[i];
-            const PairIndex begin = fine.rowStart[i], end = fine.rowStart[i + 1];
-            const std::size_t most = entries + static_cast<std::size_t>(end - begin);
-            if (part.value.size() < most) part.column.resize(2 * most), part.value.resize(2 * most);
-            if (i == groups[g].front()) part.value[self] = part.value[ungrouped] = 0;
-            for (PairIndex k = begin; k < end; ++k) {
-                const Index other = groups.group[fine.column[k]];
-                Index& slot = part.slot[other + 1];
-                if (slot < base) {
-                    slot = base + entries;
-                    part.column[entries] = other;
-                    part.value[entries++] = 0;
-                }
-                part.value[slot - base] += static_cast<Real>(fine.offDiagonal[k]);
-            }
-        }
-        excess -= part.value[ungrouped];  // the coarse correction is 0 there
+        const Index entries = sumRow(fine, groups, g, base, part);
+        Real excess = -part.value[kUngrouped];  // the coarse correction is 0 there
+        for (const Index i : groups[g]) excess += fineSums.excess[i];
         Real sum = 0, largest = 0;
-        for (Index e = others; e < entries; ++e) {
+        for (Index e = kOthers; e < entries; ++e) {
             sum -= part.value[e];
             largest = std::max(largest, -part.value[e]);
         }
-        part.columns.insert(part.columns.end(), &part.column[others], &part.column[entries]);
-        part.values.insert(part.values.end(), &part.value[others], &part.value[entries]);
-        coarse.rowStart[g + 1] = entries - others;
+        const auto column = part.column.begin();
+        const auto value = part.value.begin();
+        part.columns.insert(part.columns.end(), column + kOthers, column + entries);
+        part.values.insert(part.values.end(), value + kOthers, value + entries);
+        coarse.rowStart[g + 1] = entries - kOthers;
         coarse.diagonal[g] = excess + sum;
         coarseSums.excess[g] = excess;
         coarseSums.largest[g] = largest;
@@ -84,8 +96,10 @@ void CoarseMatrixBuilder::join(SymmetricMatrix& coarse)
 #pragma omp parallel for schedule(static, 1) if (parts > 1)
     for (int p = 0; p < parts; ++p) {
         const PairIndex begin = coarse.rowStart[parts_[p].first];
-        std::copy(parts_[p].columns.begin(), parts_[p].columns.end(), coarse.column.begin() + begin);
-        std::copy(parts_[p].values.begin(), parts_[p].values.end(), coarse.offDiagonal.begin() + begin);
+        std::copy(parts_[p].columns.begin(), parts_[p].columns.end(),
+                  coarse.column.begin() + begin);
+        std::copy(parts_[p].values.begin(), parts_[p].values.end(),
+                  coarse.offDiagonal.begin() + begin);
     }
 }
 
@@ -104,8 +118,8 @@ void sortColumns(SymmetricMatrix& matrix)
     }
 }
 
-#define ISPH_INSTANTIATE(Weight)                                                                  \
-    template void CoarseMatrixBuilder::build(const LevelMatrix<Weight>&, const RowSums&,          \
+#define ISPH_INSTANTIATE(Weight)                                                         \
+    template void CoarseMatrixBuilder::build(const LevelMatrix<Weight>&, const RowSums&, \
                                              const Aggregation&, SymmetricMatrix&, RowSums&);
 ISPH_INSTANTIATE(float)
 ISPH_INSTANTIATE(Real)

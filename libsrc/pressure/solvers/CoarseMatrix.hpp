@@ -24,6 +24,9 @@ private:
         std::vector<Real> value, values;
     };
     template <class Weight>
+    Index sumRow(const LevelMatrix<Weight>& fine, const Aggregation& groups, Index g, Index base,
+                 Part& part);
+    template <class Weight>
     void gather(const LevelMatrix<Weight>& fine, const RowSums& fineSums, const Aggregation& groups,
                 Part& part, SymmetricMatrix& coarse, RowSums& coarseSums);
     void join(SymmetricMatrix& coarse);

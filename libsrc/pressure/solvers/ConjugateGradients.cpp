@@ -39,13 +39,14 @@ int ConjugateGradients::descend(Solve& solve, Preconditioner& preconditioner, in
         if (used == 0) {
             p_ = z_;
             rz = orderedSum(n, [&](Index i) { return r[i] * z_[i]; });
-        } else {  // z.(r - r_old) = -alpha z.q: 0 beside round-off where M is fixed, so no r_old is kept
-            const Vec<2> dots =
-                orderedSum(n, [&](Index i) { return Vec<2>{r[i] * z_[i], q_[i] * z_[i]}; });
-            rz = dots[0];
-            parallelFor(n, [&, beta = -alpha * dots[1] / rzOld](Index i) {
-                p_[i] = z_[i] + beta * p_[i];
+        } else {  // z.(r - r_old) = -alpha z.q: 0 beside round-off where M is fixed, so no r_old is
+                  // kept
+            const Vec<2> dots = orderedSum(n, [&](Index i) {
+                return Vec<2>{r[i] * z_[i], q_[i] * z_[i]};
             });
+            rz = dots[0];
+            parallelFor(
+                n, [&, beta = -alpha * dots[1] / rzOld](Index i) { p_[i] = z_[i] + beta * p_[i]; });
         }
         const Real curvature = preconditioner.multiplyAndDot(solve.matrix(), p_, q_);
         if (!(rz > 0) || !(curvature > 0) || !std::isfinite(rz / curvature)) {

@@ -22,8 +22,8 @@ public:
 
 /// The iteration of Hestenes and Stiefel (1952), with M as in Saad, Iterative Methods for Sparse
 /// Linear Systems (2003), algorithm 9.1, with the direction of Polak and Ribiere: flexible, that is
-/// for preconditioners that are no fixed matrix (Notay 2000, SIAM J. Sci. Comput. 22, 1444-1460). It
-/// keeps its work arrays from solve to solve.
+/// for preconditioners that are no fixed matrix (Notay 2000, SIAM J. Sci. Comput. 22, 1444-1460).
+/// It keeps its work arrays from solve to solve.
 class ConjugateGradients {
 public:
     /// Goes on from solve.x() and the r that belongs to it until solve.done(), judged by the true

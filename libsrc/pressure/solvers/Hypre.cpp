@@ -55,8 +55,7 @@ SolverReport Hypre::solve(const SymmetricMatrix& matrix, Span<const Real> b, Spa
     while (!solve.done() && solve.iterationsLeft() > 0) {
         const Real before = solve.norm();
         std::fill(correction_.begin(), correction_.end(), 0);
-        const int used =
-            backend_->iterate(r_, correction_, solve.target(), solve.iterationsLeft());
+        const int used = backend_->iterate(r_, correction_, solve.target(), solve.iterationsLeft());
         const Real size = orderedSum(n, [&](Index i) { return sqr(correction_[i]); });
         if (!std::isfinite(size)) {
             solve.remark("the matrix is not positive definite");

@@ -20,9 +20,9 @@ public:
 
 private:
     CholmodFactor factor_;
-    std::size_t rows_ = 0;                ///< of the factor
-    std::vector<Index> rowOfParticle_;    ///< in the factor; -1: none
-    std::vector<Index> place_;            ///< of each present row in the factor; empty: the same
+    std::size_t rows_ = 0;              ///< of the factor
+    std::vector<Index> rowOfParticle_;  ///< in the factor; -1: none
+    std::vector<Index> place_;          ///< of each present row in the factor; empty: the same
     std::vector<Real> inverseDiagonal_;
     std::vector<Real> r_, z_;
 };

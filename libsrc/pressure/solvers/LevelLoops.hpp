@@ -28,7 +28,8 @@ auto sumRows(std::size_t n, Term&& term)
     return sum;
 }
 
-/// A symmetric matrix whose off-diagonals may be in single precision; it refers to arrays of others.
+/// A symmetric matrix whose off-diagonals may be in single precision; it refers to arrays of
+/// others.
 template <class Weight>
 struct LevelMatrix {
     Span<const PairIndex> rowStart;

@@ -22,15 +22,15 @@ constexpr int kDoublings = 3;
 constexpr std::size_t kDirectRows = 400;
 /// An excess below this share of the diagonal is the rounding of a row sum of some 60 terms.
 constexpr Real kRounding = 1e-14;
-/// Added to the coarsest diagonal, as a share: keeps the factor of a matrix without any tie to p = 0.
+/// Added to the coarsest diagonal, as a share: keeps the factor of a matrix without any tie to p =
+/// 0.
 constexpr Real kShift = 1e-13;
 
 void setSmoother(std::vector<Real>& inverse, Span<const Real> diagonal, const RowSums& sums)
 {
     inverse.resize(diagonal.size());
-    forRows(diagonal.size(), [&](Index i) {
-        inverse[i] = (sums.largest[i] > 0 ? kDamping : 1) / diagonal[i];
-    });
+    forRows(diagonal.size(),
+            [&](Index i) { inverse[i] = (sums.largest[i] > 0 ? kDamping : 1) / diagonal[i]; });
 }
 }  // namespace
 
@@ -128,9 +128,8 @@ void Multigrid::addLevel(const LevelMatrix<Weight>& matrix, const Level& level)
         v->resize(n);
     coarse.keys.resize(level.keys.empty() ? 0 : n);
     if (!level.keys.empty())
-        forRows(n, [&](Index g) {
-            coarse.keys[g] = coarserKey(level.keys[level.groups[g].front()]);
-        });
+        forRows(n,
+                [&](Index g) { coarse.keys[g] = coarserKey(level.keys[level.groups[g].front()]); });
 }
 
 bool Multigrid::factorise(SymmetricMatrix& coarsest)

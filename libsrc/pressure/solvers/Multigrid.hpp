@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Aggregation multigrid, the preconditioner of multigridPCG.                       [theory (5.8)-(5.11)]
+// Aggregation multigrid, the preconditioner of multigridPCG.                       [theory
+// (5.8)-(5.11)]
 #pragma once
 #include "pressure/solvers/CholmodFactor.hpp"
 #include "pressure/solvers/CoarseMatrix.hpp"

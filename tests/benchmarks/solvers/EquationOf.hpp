@@ -18,8 +18,8 @@ inline LayeredTank tankOf(const std::string& word)
     std::vector<std::string> parts;
     for (std::string part; std::getline(in, part, ':');) parts.push_back(part);
     const std::vector<std::string> layers{"waterOverSoil", "soilOverWater", "column"};
-    const auto found = parts.size() == 5 ? std::find(layers.begin(), layers.end(), parts[3])
-                                         : layers.end();
+    const auto found =
+        parts.size() == 5 ? std::find(layers.begin(), layers.end(), parts[3]) : layers.end();
     if (found == layers.end())
         throw FatalError(fmt::format(
             "{} is no tank:<dimension>:<particles>:<waterOverSoil|soilOverWater|column>:<jump>.",

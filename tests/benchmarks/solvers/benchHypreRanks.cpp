@@ -22,8 +22,8 @@ struct Times {
 Times measure(BoomerAMG& solver, const Equation& equation, Index first, Index last)
 {
     std::vector<Real> r(equation.b.size());
-    const Real target = 1e-6 * std::sqrt(orderedSum(
-                                   r.size(), [&](Index i) { return sqr(equation.b[i]); }));
+    const Real target =
+        1e-6 * std::sqrt(orderedSum(r.size(), [&](Index i) { return sqr(equation.b[i]); }));
     MPI_Barrier(MPI_COMM_WORLD);
     const double begin = MPI_Wtime();
     solver.setUpRows(equation.matrix, first, last, true);
@@ -51,8 +51,9 @@ void run(const std::string& word, int repeats, int rank, int ranks)
         if (i <= 1 || now.total() < best.total()) best = now;
     }
     if (rank == 0)
-        fmt::print("{}  {} rows  {} ranks  setup {:.4f} s  solve {:.4f} s  sum {:.4f} s  {} iterations\n",
-                   word, rows, ranks, best.setup, best.solve, best.total(), best.iterations);
+        fmt::print(
+            "{}  {} rows  {} ranks  setup {:.4f} s  solve {:.4f} s  sum {:.4f} s  {} iterations\n",
+            word, rows, ranks, best.setup, best.solve, best.total(), best.iterations);
 }
 
 }  // namespace

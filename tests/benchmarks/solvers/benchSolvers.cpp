@@ -5,8 +5,8 @@
 //
 // An equation is a file of postProcessing/pressureEquation (recordInterval in isphSolution writes
 // them) or a layered tank, tank:3:2e5:column:1e4. Threads: OMP_NUM_THREADS. Columns: rows, the
-// iterations and the residual of the last solve. Solvers that keep things between steps (lagCholmod,
-// hypre with setupInterval) are measured in their steady state.
+// iterations and the residual of the last solve. Solvers that keep things between steps
+// (lagCholmod, hypre with setupInterval) are measured in their steady state.
 #include "EquationOf.hpp"
 
 #include "pressure/solvers/Multigrid.hpp"
@@ -96,7 +96,8 @@ int main(int argc, char** argv)
     try {
         benchmark::Initialize(&argc, argv);
         std::vector<std::string> words(argv + 1, argv + argc);
-        if (words.empty()) words = {"tank:2:1e4:column:1e4", "tank:2:2e5:column:1e4", "tank:3:2e5:column:1e4"};
+        if (words.empty())
+            words = {"tank:2:1e4:column:1e4", "tank:2:2e5:column:1e4", "tank:3:2e5:column:1e4"};
         for (const std::string& word : words) enter(word);
         benchmark::RunSpecifiedBenchmarks();
         return 0;

@@ -84,8 +84,12 @@ struct Lattice {
         const Real y = (i[1] + 0.5) / n[1], x = (i[0] + 0.5) / n[0];
         bool soil = false;
         switch (tank.layers) {
-            case LayeredTank::Layers::waterOverSoil: soil = y < 0.5; break;
-            case LayeredTank::Layers::soilOverWater: soil = y > 0.35; break;
+            case LayeredTank::Layers::waterOverSoil:
+                soil = y < 0.5;
+                break;
+            case LayeredTank::Layers::soilOverWater:
+                soil = y > 0.35;
+                break;
             case LayeredTank::Layers::column:
                 soil = (y > 0.4 && y < 0.7) || (x > 0.45 && x < 0.55);
                 break;
@@ -162,9 +166,11 @@ inline PressureSystem pressureSystem(const LayeredTank& tank)
         a.diagonal[r] = sum;
         const Real phase = 3.0 * i[0] / lattice.n[0] + 2.0 * i[1] / lattice.n[1];
         const auto s = static_cast<std::uint64_t>(lattice.index(i));
-        system.b[r] = gravity + beta_i * (0.02 * std::cos(phase) + 0.05 * detail::randomNumber(s, 8));
+        system.b[r] =
+            gravity + beta_i * (0.02 * std::cos(phase) + 0.05 * detail::randomNumber(s, 8));
         const Vec<3> x = lattice.place(i);
-        for (int d = 0; d < a.places.dimension; ++d) a.places.coordinate[r * tank.dimension + d] = x[d];
+        for (int d = 0; d < a.places.dimension; ++d)
+            a.places.coordinate[r * tank.dimension + d] = x[d];
     });
     return system;
 }

@@ -270,10 +270,10 @@ TEST(Auto, TakesTheLaggedFactorForSmall2DAndMultigridForAllElseAndSaysSo)
         const std::string name = solver->solve(s.matrix, s.b, x).solver;
         return std::pair{name, testing::internal::GetCapturedStdout()};
     };
-    EXPECT_EQ(solve(2, 500),
-              (std::pair<std::string, std::string>{
-                  "lagCholmod",
-                  "Selecting pressure solver lagCholmod (auto: 512 unknowns in 2-D)\n"}));
+    EXPECT_EQ(
+        solve(2, 500),
+        (std::pair<std::string, std::string>{
+            "lagCholmod", "Selecting pressure solver lagCholmod (auto: 512 unknowns in 2-D)\n"}));
     EXPECT_EQ(solve(2, 700).second, "") << "one line is enough";
     EXPECT_EQ(solve(2, 5000).first, "multigridPCG");
     EXPECT_EQ(solve(3, 500).first, "multigridPCG");

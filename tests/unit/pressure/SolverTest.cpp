@@ -14,8 +14,11 @@ using namespace isph;
 using namespace isph::test;
 
 namespace {
-const std::vector<std::string> kSolvers{"solver cholmod;", "solver lagCholmod;",
-                                        "solver multigridPCG;", "solver hypre;", "solver auto;",
+const std::vector<std::string> kSolvers{"solver cholmod;",
+                                        "solver lagCholmod;",
+                                        "solver multigridPCG;",
+                                        "solver hypre;",
+                                        "solver auto;",
                                         "solver PCG;",  // MIC0
                                         "solver PCG; preconditioner IC0;",
                                         "solver PCG; preconditioner Jacobi;"};
@@ -105,7 +108,8 @@ TEST_P(EverySolver, SolvesASprayWithThirtyPercentOfTheParticlesMissing)
 
 TEST_P(EverySolver, SolvesFilmsDropsAndLoneParticles)
 {
-    Scene scene(120, 60);  // a film two particles thick along p = 0, drops of nine, single particles
+    Scene scene(120,
+                60);  // a film two particles thick along p = 0, drops of nine, single particles
     scene.present = [](int ix, int iy) {
         const bool film = iy >= 57;
         const bool drop = iy < 48 && iy % 8 < 3 && ix % 8 < 3;
