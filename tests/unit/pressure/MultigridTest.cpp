@@ -182,6 +182,18 @@ TEST(Multigrid, IterationsHardlyGrowWithTheJumpOfTheCoefficient)
         }
 }
 
+TEST(Multigrid, SeesThinLayersThatCellsDoNot)
+{
+    const auto solve = [](Real jump) {
+        Scene scene(120, 120);  // crossed layers of three particles, in no rhythm of the cells
+        scene.beta = [=](int ix, int iy) { return ix % 13 < 3 || iy % 11 < 3 ? 1 / jump : 1.0; };
+        const ParticleSystem s = particleSystem(scene);
+        std::vector<Real> x(s.b.size(), 0);
+        return solverOf("solver multigridPCG;")->solve(s.matrix, s.b, x).iterations;
+    };
+    EXPECT_LE(solve(1e6), 1.4 * solve(1));
+}
+
 TEST(Multigrid, IterationsHardlyGrowWithTheNumberOfRows)
 {
     LayeredTank tank;
