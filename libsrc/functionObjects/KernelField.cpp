@@ -53,12 +53,13 @@ bool solveForValue(std::array<std::array<Real, 4>, 4> m, int n, std::array<Real,
 
 }  // namespace
 
-void KernelSamples::clear()
+void KernelSamples::resize(std::size_t count)
 {
-    owner.clear();
-    offset.clear();
-    weight.clear();
-    q.clear();
+    owner.resize(count);
+    offset.resize(count);
+    weight.resize(count);
+    slope.resize(count);
+    q.resize(count);
 }
 
 KernelCloud::KernelCloud(const FlowView& flow, Span<const Vector3> position,
@@ -78,7 +79,24 @@ KernelCloud::KernelCloud(const FlowView& flow, Span<const Vector3> position,
         reach_ = std::max(reach_, kernel_->supportRadius() * h[i]);
     }
     addImages(flow);
-    grid_.build(position_, reach_ > 0 ? reach_ : 1);
+    sortByCells();
+}
+
+/// Cells of half the reach: the cube of those that a ball touches then holds 2.5^3 in place of 3^3 of what
+/// a cube of the reach holds, and a row of them is one run through memory.
+void KernelCloud::sortByCells()
+{
+    constexpr Real perReach = 2;
+    const Real edge = reach_ > 0 ? reach_ / perReach : 1;
+    grid_.build(position_, edge);
+    const std::vector<Index> order = grid_.order();
+    const auto sorted = [&](auto& field) {
+        auto before = std::move(field);
+        field.resize(before.size());
+        for (std::size_t k = 0; k < before.size(); ++k) field[k] = before[order[k]];
+    };
+    sorted(position_), sorted(owner_), sorted(scale_), sorted(inverseH_);
+    grid_.build(position_, edge);
 }
 
 void KernelCloud::addImages(const FlowView& flow)
@@ -103,22 +121,33 @@ void KernelCloud::addImages(const FlowView& flow)
 
 void KernelCloud::gather(const Vec<3>& x, KernelSamples& samples) const
 {
-    samples.clear();
-    if (position_.empty()) return;
-    const Real support = kernel_->supportRadius();
+    if (position_.empty()) return samples.resize(0);
+    const Real supportSqr = sqr(kernel_->supportRadius());
+    // Two in three candidates lie outside the ball, in no order: each is written and the next one takes
+    // its place, without a branch to be guessed.
+    thread_local std::vector<Index> found;
+    const Vec<3>* const position = position_.data();
+    const Real* const inverseH = inverseH_.data();
+    Index *next = found.data(), *end = next + found.size();
     grid_.forEachNear(x, reach_, [&](Index j) {
-        const Vec<3> offset = x - position_[j];
-        const Real qSqr = normSqr(offset) * sqr(inverseH_[j]);
-        if (qSqr >= sqr(support)) return;
-        samples.owner.push_back(j);
-        samples.offset.push_back(offset);
-        samples.q.push_back(std::sqrt(qSqr));
+        if (next == end) {
+            const std::ptrdiff_t count = next - found.data();
+            found.resize(2 * found.size() + 64);
+            next = found.data() + count, end = found.data() + found.size();
+        }
+        *next = j;
+        next += normSqr(x - position[j]) * sqr(inverseH[j]) < supportSqr;
     });
-    samples.weight.resize(samples.size());
-    samples.slope.resize(samples.size());
+    const auto count = static_cast<std::size_t>(next - found.data());
+    samples.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const Index j = found[k];
+        samples.offset[k] = x - position[j];
+        samples.q[k] = norm(samples.offset[k]) * inverseH[j];
+    }
     kernel_->evaluate(samples.q, samples.weight, samples.slope);
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-        const Index j = samples.owner[k];
+    for (std::size_t k = 0; k < count; ++k) {
+        const Index j = found[k];
         samples.weight[k] *= scale_[j];
         samples.slope[k] *= scale_[j] * sqr(inverseH_[j]);
         samples.owner[k] = owner_[j];

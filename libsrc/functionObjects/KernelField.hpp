@@ -17,7 +17,7 @@ struct KernelSamples {
     std::vector<Real> q;         ///< |offset|/h_j
 
     std::size_t size() const { return owner.size(); }
-    void clear();
+    void resize(std::size_t count);
 };
 
 /// Particles of one kind with the volumes and widths of their kernels. In 2-D z = 0.
@@ -29,13 +29,14 @@ public:
                 Span<const Real> h);
 
     void gather(const Vec<3>& x, KernelSamples& samples) const;
-    /// Positions, images included.
+    /// Positions, images included, in the order of cells.
     const std::vector<Vec<3>>& position() const { return position_; }
     /// The largest radius of a support [m].
     Real reach() const { return reach_; }
 
 private:
     void addImages(const FlowView& flow);
+    void sortByCells();
 
     const Kernel* kernel_;
     std::vector<Vec<3>> position_;

@@ -47,8 +47,9 @@ public:
     Real volume() const
     {
         const std::vector<Block> blocks = wetBlocks();
-        std::vector<Real> part(blocks.size());
-        parallelForDynamic(blocks.size(), [&](Index k) { part[k] = inBlock(blocks[k]); });
+        const int layers = flow_.dimension == 3 ? width_ : 1;
+        std::vector<Real> part(blocks.size() * static_cast<std::size_t>(layers));   // many, for many threads
+        parallelForDynamic(part.size(), [&](Index k) { part[k] = inLayer(blocks[k / layers], k % layers); });
         return orderedSum(part.size(), [&](Index k) { return part[k]; });
     }
 
@@ -81,15 +82,13 @@ private:
         all.erase(std::unique(all.begin(), all.end()), all.end());
     }
 
-    Real inBlock(const Block& block) const
+    /// Layer c of a block's cells, in 2-D its only one.
+    Real inLayer(const Block& block, int c) const
     {
-        const int layers = flow_.dimension == 3 ? width_ : 1;
         Real sum = 0;
-        for (int c = 0; c < layers; ++c)
-            for (int b = 0; b < width_; ++b)
-                for (int a = 0; a < width_; ++a)
-                    sum += inCell(
-                        {block[0] * width_ + a, block[1] * width_ + b, block[2] * width_ + c});
+        for (int b = 0; b < width_; ++b)
+            for (int a = 0; a < width_; ++a)
+                sum += inCell({block[0] * width_ + a, block[1] * width_ + b, block[2] * width_ + c});
         return sum;
     }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestFlow.hpp"
+#include "core/Parallel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -69,6 +70,21 @@ TEST(Volume, InThreeDimensionsIsHalfAPerCentRightForATankOfTwentySpacings)
     FlowView flow = emptyTank(tank);
     addWater(flow, {0, 0, 0}, {0.2, 0.2, 0.2});
     EXPECT_NEAR(volume(flow).difference, 0, 0.005);
+}
+
+TEST(Volume, OneAndFourThreadsAgreeBitForBit)
+{
+    FlowView flow = emptyTank({.dimension = 3, .spacing = 0.1, .length = 1, .width = 0.6, .height = 1});
+    addWater(flow, {0, 0, 0}, {1, 0.6, 0.6}, 1);
+    jitter(flow, 0.2);
+    const int before = threadCount();
+    setThreadCount(1);
+    const Measured one = volume(flow);
+    setThreadCount(4);
+    const Measured four = volume(flow);
+    setThreadCount(before);
+    EXPECT_EQ(one.grid, four.grid);
+    EXPECT_EQ(one.spray, four.spray);
 }
 
 TEST(Volume, SeesWaterThatSpreadsByAPerCent)
