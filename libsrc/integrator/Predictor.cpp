@@ -17,6 +17,33 @@ Real supportFactor(Real lambda_i, Real lambda_j)
     return 1 / std::max(kLeastSupport, (lambda_i + lambda_j) / (2 * Dim));
 }
 
+/// grad v, row d = grad of component d, of inner particles; zero near the surface and in soil, where
+/// the dissipation takes the whole velocity difference.                                    [theory (7.3)]
+template <int Dim, class Medium>
+void smoothPart(const Medium& medium, const StepFields<Dim>& fields, const std::vector<Vec<Dim>>& v,
+                std::vector<Mat<Dim>>& gradV)
+{
+    const Points<Dim>& points = fields.points;
+    gradV.assign(points.fluid, Mat<Dim>{});
+    parallelForDynamic(points.water, [&](Index i) {
+        if (fields.role[i] != SurfaceRole::inner || medium.share(i) >= kSoilShare) return;
+        Mat<Dim> sum;
+        fields.pairs.forWater(i, [&](const auto& pair) {
+            sum += outer(points.volume[pair.j] * (v[pair.j] - v[i]), pair.gradW());
+        });
+        gradV[i] = sum * fields.corrections.Lwater[i];
+    });
+    points.refresh(gradV);
+}
+
+/// (v_ij.e) r without its smooth part, never more than it and never of the other sign.
+inline Real roughPart(Real approach, Real smooth)
+{
+    const Real rough = approach - smooth;
+    if (rough * approach <= 0) return 0;
+    return std::abs(rough) < std::abs(approach) ? rough : approach;
+}
+
 /// Points of the lattice within 2 h. A pair may take away this share of its velocity difference in a
 /// step and no more: the dissipation is explicit and must not overshoot where sprays meet.
 template <int Dim>
@@ -43,6 +70,10 @@ void predict(const Water<Dim>& water, const Medium& medium, const Scheme<Dim>& s
         return (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / medium.porosity(i);
     };
     const Real most = 1 / (neighboursOfLattice(scheme) * weights.dtPrime());
+    std::vector<Mat<Dim>> gradV;
+    const bool dissipates = scheme.dissipation > 0;
+    if (dissipates) smoothPart(medium, fields, v, gradV);
+    const auto inner = [&](Index i) { return fields.role[i] == SurfaceRole::inner; };
     fields.v.resize(points.fluid);
     parallelForDynamic(points.water, [&](Index i) {
         Vec<Dim> rate;
@@ -54,8 +85,10 @@ void predict(const Water<Dim>& water, const Medium& medium, const Scheme<Dim>& s
             const Real nu_j = viscosity(pair.j), both = nu_i + nu_j;
             if (both > 0)
                 rate -= (VF * 2 * nu_i * nu_j / both * supportFactor<Dim>(lambda[i], lambda[pair.j])) * v_ij;
-            if (clear_i && medium.share(pair.j) < kSoilShare) {
-                const Real approach = dot(v_ij, pair.x_ij);   // (v_ij.e) r
+            if (dissipates && clear_i && medium.share(pair.j) < kSoilShare) {
+                Real approach = dot(v_ij, pair.x_ij);   // (v_ij.e) r
+                if (inner(i) && inner(pair.j))
+                    approach = roughPart(approach, Real(0.5) * dot((gradV[i] + gradV[pair.j]) * pair.x_ij, pair.x_ij));
                 const Real r2 = std::max(normSqr(pair.x_ij), 1e-12 * sqr(scheme.spacing));
                 const Real pull = std::min(2 * VF * scheme.dissipation * std::abs(approach), most);
                 rate -= (pull * approach / r2) * pair.x_ij;

@@ -22,7 +22,7 @@ Schema stabilisationKeys()
 {
     return {Key::word("type", "relaxedDensity: alpha = dt/relaxationTime; constantAlpha: the paper's")
                 .oneOf({"relaxedDensity", "constantAlpha", "none"}).byDefault("relaxedDensity"),
-            Key::scalar("relaxationTime", "time in which density errors decay [s]; auto: 0.2 sqrt(H/g)")
+            Key::scalar("relaxationTime", "time in which density errors decay [s]; auto: 0.2 sqrt(H/g), without gravity 20 d0/U")
                 .units(dims::time).above(0).oneOf({"auto"}).byDefault("auto"),
             Key::scalar("speedFactor", "upper bound of the decay rate in units of max|u|/d0")
                 .byDefault("1").atLeast(0),
@@ -32,14 +32,15 @@ Schema stabilisationKeys()
 
 Schema shiftingKeys()
 {
-    return {Key::scalar("coefficient", "A of dx = -A h U dt grad C, 0: none").byDefault("0.2").atLeast(0),
+    return {Key::scalar("coefficient", "A of dx = -A h U dt grad C, U = max|u_i - u_j| of the neighbours, 0: none")
+                .byDefault("6").atLeast(0),
             Key::scalar("largestShift", "bound of a step's shift in local spacings")
                 .byDefault("0.05").above(0).atMost(0.5)};
 }
 
 Schema dissipationKeys()
 {
-    return {Key::scalar("coefficient", "c_r of the pair viscosity c_r r|v.e|, 0: none").byDefault("4").atLeast(0),
+    return {Key::scalar("coefficient", "c_r of the pair viscosity c_r r|v.e|, 0: none").byDefault("16").atLeast(0),
             Key::scalar("collisionDistance", "local spacings below which approach is stopped")
                 .byDefault("0.5").atLeast(0).atMost(0.9)};
 }
@@ -109,7 +110,7 @@ Scheme<Dim> readScheme(const Dictionary& schemes, const WaterProperties& water)
     const Real g = norm(scheme.force);
     if (!automatic) scheme.relaxationTime = stabilisation.get<Real>("relaxationTime", dims::time);
     else if (g > 0) scheme.relaxationTime = 0.2 * std::sqrt(water.depth / g);
-    else if (water.speed > 0) scheme.relaxationTime = water.spacing / water.speed;
+    else if (water.speed > 0) scheme.relaxationTime = 20 * water.spacing / water.speed;
     scheme.speedFactor = stabilisationKeys().get<Real>(stabilisation, "speedFactor");
     scheme.alpha = stabilisationKeys().get<Real>(stabilisation, "alpha");
     scheme.shifting = shiftingKeys().get<Real>(shifting, "coefficient");

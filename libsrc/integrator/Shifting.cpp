@@ -16,8 +16,9 @@ Real internalSpeed(const std::vector<Vec<Dim>>& u)
 
 namespace {
 constexpr Real kTensile = 0.2;             // [Monaghan 2000], power 4
-constexpr Real kLeastSupport = 0.6;        // lambda/Dim below which nothing is shifted
+constexpr Real kLeastSupport = 0.4;        // lambda/Dim below which nothing is shifted
 constexpr Real kSoilShare = 0.05;
+constexpr Real kSurfaceCollision = 0.95;   // in local spacings: between particles of the surface
 
 /// grad u, row d = grad of component d, from water partners with their correction.
 template <int Dim>
@@ -37,7 +38,6 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
 {
     const Points<Dim>& points = fields.points;
     const Index n = points.water;
-    const Real U = internalSpeed(water.u);
     const Real qLattice = scheme.spacing / scheme.h0;
     Real w = 0, slope = 0;
     kernel.evaluate(Span<const Real>(&qLattice, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
@@ -51,17 +51,20 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
         const Mat<Dim> gradU = gradient(fields, u, i);
         if (fields.role[i] == SurfaceRole::inner) divergence[i] = sqr(dt * trace(gradU));
         const bool inSoil = !fields.soil.share.empty() && fields.soil.share[i] > kSoilShare;
-        if (fields.role[i] == SurfaceRole::surface || lambda < kLeastSupport * Dim || inSoil) return;
+        if (lambda < kLeastSupport * Dim || inSoil) return;
         const Real h = points.h[i], WLattice = wLattice / (Dim == 2 ? sqr(h) : cube(h));
         Vec<Dim> concentration, normal;
+        Real U2 = 0;
         fields.pairs.forAll(i, [&](const auto& pair) {
             const Real V = points.volume[pair.j];
             concentration += (V * (1 + kTensile * sqr(sqr(pair.W / WLattice)))) * pair.gradW();
-            if (pair.j < points.fluid)
+            if (pair.j < points.fluid) {
                 normal += (V * (fields.corrections.lambda[pair.j] - lambda)) * pair.gradW();
+                U2 = std::max(U2, normSqr(u[i] - u[pair.j]));
+            }
         });
-        Vec<Dim> step = (-scheme.shifting * h * dt * U) * concentration;
-        if (fields.role[i] == SurfaceRole::near) {
+        Vec<Dim> step = (-scheme.shifting * h * dt * std::sqrt(U2)) * concentration;
+        if (fields.role[i] != SurfaceRole::inner) {
             const Vec<Dim> e = unit(normal);
             step -= dot(step, e) * e;
         }
@@ -88,9 +91,12 @@ void collide(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, Span<cons
     u.resize(points.fluid);
     points.refresh(u);
     parallelForDynamic(points.water, [&](Index i) {
-        const Real reach = scheme.collisionDistance * scheme.spacing * points.h[i] / scheme.h0;
+        const Real spacing = scheme.spacing * points.h[i] / scheme.h0;
+        const bool surface = fields.role[i] == SurfaceRole::surface;
         Vec<Dim> change;
         fields.pairs.forWater(i, [&](const auto& pair) {
+            const bool both = surface && fields.role[pair.j] == SurfaceRole::surface;
+            const Real reach = (both ? kSurfaceCollision : scheme.collisionDistance) * spacing;
             const Real r2 = normSqr(pair.x_ij), approach = dot(u[i] - u[pair.j], pair.x_ij);
             if (r2 < reach * reach && approach < 0 && r2 > 0)
                 change -= (Real(0.5) * approach / r2) * pair.x_ij;
