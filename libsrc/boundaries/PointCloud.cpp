@@ -8,7 +8,7 @@
 namespace isph {
 
 namespace {
-constexpr Real kWetReach = 0.8;   // of the local spacing: a marker touches water   [theory (6.5)]
+constexpr Real kWetFrom = 0.95, kWetTo = 0.65;   // marker to water in local spacings  [theory (6.5)]
 
 template <int Dim>
 Real root(Real a) { return Dim == 2 ? std::sqrt(a) : std::cbrt(a); }
@@ -73,19 +73,20 @@ void dryWalls(const WallCloud<Dim>& walls, Real spacing, Real h0, Points<Dim>& p
     const Index fluid = points.fluid;
     if (walls.size() == 0) return;
     const Real largestH = orderedMax(fluid, h0, [&](Index i) { return points.h[i]; });
-    const Real reach = kWetReach * spacing * largestH / h0;
+    const Real reach = kWetFrom * spacing * largestH / h0;
     CellGrid<Dim> grid;
     grid.build(Span<const Vec<Dim>>(points.x.data(), fluid), std::max(reach, 2 * spacing));
     parallelFor(walls.size(), [&](Index k) {
         const Vec<Dim> marker = walls.x[k] + (walls.depth[k] + Real(0.5) * spacing) * walls.normal[k];
-        bool wet = false;
+        Real distance = kWetFrom;                // in local spacings
         Real nearest = reach * reach, h = h0;   // the nearest water lends its h to the wall
         grid.forEachNear(marker, reach, [&](Index j) {
             const Real r2 = normSqr(marker - points.x[j]);
-            if (r2 < sqr(kWetReach * spacing * points.h[j] / h0)) wet = true;
+            distance = std::min(distance, std::sqrt(r2) * h0 / (spacing * points.h[j]));
             if (r2 < nearest) nearest = r2, h = points.h[j];
         });
-        points.volume[fluid + k] = wet ? walls.volume[k] : 0;
+        const Real wet = std::min(Real(1), (kWetFrom - distance) / (kWetFrom - kWetTo));
+        points.volume[fluid + k] = wet * walls.volume[k];
         points.h[fluid + k] = h;
     });
 }

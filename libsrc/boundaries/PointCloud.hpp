@@ -24,8 +24,8 @@ template <int Dim>
 void layPoints(const Water<Dim>& water, Span<const Real> porosity, const WallCloud<Dim>& walls,
                const PeriodicBox<Dim>& box, Real spacing, Real h0, Real support, Points<Dim>& points);
 
-/// A wall particle counts only where water touches the wall: its marker, half a spacing above the
-/// wall surface, has water within 0.8 local spacings; elsewhere its volume is set to 0.   [theory (6.5)]
+/// A wall particle counts only where water touches the wall: wholly if its marker, half a spacing above
+/// the wall surface, has water within 0.65 local spacings, not from 0.95 on.             [theory (6.5)]
 /// Dry walls above a water line would otherwise hide the free surface from the particles at that line.
 template <int Dim>
 void dryWalls(const WallCloud<Dim>& walls, Real spacing, Real h0, Points<Dim>& points);

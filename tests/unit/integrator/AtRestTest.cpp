@@ -46,4 +46,30 @@ TEST(StillWater, BetweenPeriodicSidesStaysAtRest)
                       .periodic({0, 0}, {0.16, 0.2}, {true, false}).build());
 }
 
+/// Water on a lattice at an angle to the tank and its surface: the steps of that surface fall level, then the
+/// water is at rest as far as its particles can tell: rms of the speed below 1 % of sqrt(gH), pressure
+/// within 1 % of rho g H.
+TEST(StillWater, InATankTurnedAgainstItsLatticeSettles)
+{
+    constexpr Real H = 0.12, L = 0.2, d0 = 0.01, angle = 0.5236;
+    SceneBuilder<2> builder(d0);
+    for (int a = -40; a < 40; ++a)
+        for (int b = -40; b < 40; ++b) {
+            const Real r = (a + 0.5) * d0, s = (b + 0.5) * d0;
+            const Vec<2> x{std::cos(angle) * r - std::sin(angle) * s, std::sin(angle) * r + std::cos(angle) * s};
+            if (x[0] > 0 && x[0] < L && x[1] > 0 && x[1] < H) builder.particle(x);
+        }
+    Scene<2> scene = builder.openTank({0, 0}, {L, 0.2}).build();
+    advance(scene, 2e-3, 1000);
+    const Water<2>& water = scene.water;
+    const Real n = static_cast<Real>(water.size()), depth = n * d0 * d0 / L;
+    EXPECT_LT(std::sqrt(2 * kineticEnergy(water) / n), 0.01 * std::sqrt(9.81 * H));
+    Real error = 0;
+    for (std::size_t i = 0; i < water.size(); ++i) {
+        const Real p = water.p[i] + 0.5 * 9810 * d0;   // (6.7)
+        error += sqr(p - 9810 * (depth - water.x[i][1]));
+    }
+    EXPECT_LT(std::sqrt(error / n), 0.01 * 9810 * H);
+}
+
 }  // namespace
