@@ -25,6 +25,18 @@ Real depthOf(Real share)
     const Real bounded = std::clamp(share, Real(1e-3), Real(1 - 1e-3));
     return std::clamp(width * std::log(bounded / (1 - bounded)), -most, most);
 }
+/// Ranks of the zones by their resistance to 1 mm/s: at a face between two soils the gradient of the rank
+/// is the normal, as that of phi is at a face to water.                                    [theory (4.14)]
+std::vector<Real> ranksOf(const std::vector<SoilZone>& zones)
+{
+    constexpr Real speed = 1e-3, least = 1e-12;
+    std::vector<Real> rank;
+    for (const SoilZone& zone : zones)
+        rank.push_back(std::log10(std::max(least, zone.resistance.linear + speed * zone.resistance.quadratic)));
+    const Real lowest = rank.empty() ? 0 : *std::min_element(rank.begin(), rank.end());
+    for (Real& r : rank) r += 1 - lowest;
+    return rank;
+}
 }  // namespace
 
 std::vector<SoilZone> readZones(const Dictionary& porousZones, const std::vector<std::string>& names)
@@ -54,6 +66,7 @@ template <int Dim>
 PorousField<Dim>::PorousField(std::vector<SoilZone> zones, const Kernel& kernel,
                               const WallCloud<Dim>& walls, Real spacing)
     : zones_(std::move(zones)),
+      rank_(ranksOf(zones_)),
       kernel_(kernel),
       h_(kSoilWidth * spacing * 2 / kernel.supportRadius()),
       reach_(kernel.supportRadius() * h_),
@@ -124,6 +137,8 @@ SoilSums<Dim> PorousField<Dim>::sums(const Vec<Dim>& x, Index except, Near& near
         s.share += perSolid * VW;
         zoneShare[soilZone_[k]] += perSolid * VW;
         s.gradShare += perSolid * VgradW;
+        s.rank += rank_[soilZone_[k]] * perSolid * VW;
+        s.gradRank += rank_[soilZone_[k]] * perSolid * VgradW;
     }
     if (s.solid == 0) return s;
     gather(wallGrid_, wallX_, x, near);
@@ -136,6 +151,7 @@ SoilSums<Dim> PorousField<Dim>::sums(const Vec<Dim>& x, Index except, Near& near
     }
     s.open = std::max(kLeastOpenSpace, 1 - wall);
     s.gradShare += s.share / s.open * gradWall;
+    s.gradRank += s.rank / s.open * gradWall;
     s.gradSolid += s.solid / s.open * gradWall;
     return s;
 }
@@ -173,7 +189,7 @@ void PorousField<Dim>::setParticle(const SoilSums<Dim>& s, const std::vector<Rea
     state.linear[i] = a;
     state.quadratic[i] = b;
     state.mobility[i] = eps / inertia;
-    state.normal[i] = s.gradShare;
+    state.normal[i] = s.gradRank;
     if (anyReleased_) state.solidsDivergence[i] = s.divergence;
 }
 

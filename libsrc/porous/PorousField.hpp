@@ -38,7 +38,7 @@ struct PorousState {
     std::vector<Real> linear;       ///< a [1/s]
     std::vector<Real> quadratic;    ///< b [1/m]
     std::vector<Real> mobility;     ///< k = eps/C_r(eps)
-    std::vector<Vec<Dim>> normal;   ///< grad phi, towards the soil [1/m]; its direction is used
+    std::vector<Vec<Dim>> normal;   ///< grad psi, towards the soil that resists more [1/m]; its direction is used
     std::vector<Real> solidsDivergence;   ///< div q of released soil = d eps/dt [1/s]; empty without
 };
 
@@ -49,7 +49,8 @@ struct SoilSums {
     Real share = 0;             ///< of the bed, in units of intact soil
     Real open = 1;              ///< share of the kernel that no wall fills
     Real divergence = 0;        ///< div q of released soil [1/s]
-    Vec<Dim> gradShare{}, gradSolid{};   ///< [1/m]
+    Real rank = 0;              ///< psi: shares of the zones, each times its rank
+    Vec<Dim> gradShare{}, gradSolid{}, gradRank{};   ///< [1/m]
 };
 
 template <int Dim>
@@ -79,6 +80,7 @@ private:
                      PorousState<Dim>& state) const;
 
     std::vector<SoilZone> zones_;
+    std::vector<Real> rank_;   ///< of the zones: 1 for the least resistance, +1 for each tenfold of it
     const Kernel& kernel_;
     Real h_, reach_, scaleW_, scaleGrad_, spacing_;
     CellGrid<Dim> soilGrid_, wallGrid_;
