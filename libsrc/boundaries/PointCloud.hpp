@@ -12,10 +12,20 @@ struct WallCloud {
     std::vector<Real> depth, volume;
     std::vector<std::int64_t> wall;
     std::vector<Index> owner;   ///< the wall particle that each entry is or copies
+    std::vector<char> noSlip;           ///< 1 where water sticks to the wall; empty where all walls slip
+    std::vector<Vec<Dim>> velocity;     ///< of the wall's surface, along itself [m/s]; empty with noSlip
 
     WallCloud() = default;
     WallCloud(const Walls<Dim>& walls, const PeriodicBox<Dim>& box, Real reach);
     std::size_t size() const { return x.size(); }
+
+    /// v_i - v_k for water i at x_k + x_ik with Darcy velocity v_i and a sticking wall particle k: v_k lies on the
+    /// straight line from v_i through the velocity of the wall at its surface.                                     [theory (6.8)]
+    Vec<Dim> slip(Index k, const Vec<Dim>& x_ik, const Vec<Dim>& v_i, Real porosity, Real spacing) const
+    {
+        const Real height = std::max(Real(0.5) * spacing, dot(x_ik, normal[k]) - depth[k]);
+        return (1 + depth[k] / height) * (v_i - porosity * velocity[k]);
+    }
 };
 
 /// Lays the points of a step: [water | images | walls]. `porosity` is that of the water particles;

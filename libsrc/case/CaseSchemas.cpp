@@ -61,7 +61,9 @@ Schema wallConditionKeys()
 {
     return {Key::word("condition", "slip: no friction; noSlip: water at the wall moves with it")
                 .oneOf({"slip", "noSlip"})
-                .byDefault("slip")};
+                .byDefault("slip"),
+            Key::vector("velocity", "of a noSlip wall's surface, along itself [m/s]").units(dims::velocity)
+                .mayBeAbsent()};
 }
 
 Schema gravityKeys()

@@ -69,7 +69,7 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
 {
     {
         const auto timer = timers_.scope("predictor");
-        predict(scene_.water, medium, scene_.scheme, weights, fields_);
+        predict(scene_.water, scene_.wallCloud, medium, scene_.scheme, weights, fields_);
     }
     densitySource(medium, report);
     // The surface rows use the force gradient of the step before; a first step has to find it.

@@ -57,16 +57,18 @@ void PaperStep<Dim>::predict(Real dt)
     parallelFor(points.water, [&](Index i) { v[i] = soil.porosity[i] * scene_.water.u[i]; });
     points.refresh(v);
     if (drag_ == PaperDrag::explicitly) requireStableDrag<Dim>(scene_, fields_, v, dt);
+    const WallCloud<Dim>& walls = scene_.wallCloud;
     fields_.v.resize(points.fluid);
     parallelForDynamic(points.water, [&](Index i) {
         Vec<Dim> laplacian;
         fields_.pairs.forWater(i, [&](const auto& pair) {
             laplacian += (points.volume[pair.j] * pair.F()) * (v[pair.j] - v[i]);
         });
-        if (!fields_.noSlip.empty())
+        if (!walls.noSlip.empty())
             fields_.pairs.forWalls(i, [&](const auto& pair) {
-                if (fields_.noSlip[pair.j - points.fluid])
-                    laplacian -= (points.volume[pair.j] * pair.F()) * v[i];
+                const Index k = pair.j - points.fluid;
+                if (walls.noSlip[k])
+                    laplacian -= points.volume[pair.j] * pair.F() * walls.slip(k, pair.x_ij, v[i], soil.porosity[i], scheme.spacing);
             });
         const Real nu = scheme.viscosity + (fields_.eddyViscosity.empty() ? 0 : fields_.eddyViscosity[i]);
         const Real r = scene_.porous ? soil.linear[i] + soil.quadratic[i] * norm(v[i]) : 0;

@@ -8,6 +8,8 @@ namespace isph {
 namespace {
 constexpr Real kSoilShare = 0.05;   // a particle with more soil around it takes no dissipation
 
+constexpr Real kInnerStrength = 4;  // c_r of inner pairs, whose rough part is small, over that of others
+
 /// Lower bound of (lambda_i + lambda_j)/(2 Dim): sprays have little of a support.  [theory (2.8)]
 constexpr Real kLeastSupport = 0.7;
 
@@ -55,11 +57,12 @@ Real neighboursOfLattice(const Scheme<Dim>& scheme)
 }  // namespace
 
 template <int Dim, class Medium>
-void predict(const Water<Dim>& water, const Medium& medium, const Scheme<Dim>& scheme,
-             const StepWeights& weights, StepFields<Dim>& fields)
+void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium& medium,
+             const Scheme<Dim>& scheme, const StepWeights& weights, StepFields<Dim>& fields)
 {
     const Points<Dim>& points = fields.points;
-    const auto& lambda = fields.corrections.lambda;
+    // Slip walls take no part in the friction, nor then in its support.
+    const auto& lambda = walls.noSlip.empty() ? fields.corrections.lambdaWater : fields.corrections.lambda;
     std::vector<Vec<Dim>> v(points.fluid);   // extrapolated to the new time
     parallelFor(points.water, [&](Index i) {
         v[i] = medium.porosity(i) * ((1 + weights.ratio) * water.u[i] - weights.ratio * water.uOld[i]);
@@ -87,18 +90,23 @@ void predict(const Water<Dim>& water, const Medium& medium, const Scheme<Dim>& s
                 rate -= (VF * 2 * nu_i * nu_j / both * supportFactor<Dim>(lambda[i], lambda[pair.j])) * v_ij;
             if (dissipates && clear_i && medium.share(pair.j) < kSoilShare) {
                 Real approach = dot(v_ij, pair.x_ij);   // (v_ij.e) r
-                if (inner(i) && inner(pair.j))
-                    approach = roughPart(approach, Real(0.5) * dot((gradV[i] + gradV[pair.j]) * pair.x_ij, pair.x_ij));
+                Real strength = scheme.dissipation;
+                if (inner(i) && inner(pair.j)) {
+                    const Mat<Dim> gradient = Real(0.5) * (gradV[i] + gradV[pair.j]);
+                    approach = roughPart(approach, dot(gradient * pair.x_ij, pair.x_ij));
+                    strength *= kInnerStrength;
+                }
                 const Real r2 = std::max(normSqr(pair.x_ij), 1e-12 * sqr(scheme.spacing));
-                const Real pull = std::min(2 * VF * scheme.dissipation * std::abs(approach), most);
+                const Real pull = std::min(2 * VF * strength * std::abs(approach), most);
                 rate -= (pull * approach / r2) * pair.x_ij;
             }
         });
-        if (!fields.noSlip.empty())
+        if (!walls.noSlip.empty())
             fields.pairs.forWalls(i, [&](const auto& pair) {
-                if (fields.noSlip[pair.j - points.fluid])
-                    rate -= (points.volume[pair.j] * pair.F() * nu_i
-                             * supportFactor<Dim>(lambda[i], lambda[i])) * v[i];
+                const Index k = pair.j - points.fluid;
+                if (walls.noSlip[k])
+                    rate -= points.volume[pair.j] * pair.F() * nu_i * supportFactor<Dim>(lambda[i], lambda[i])
+                          * walls.slip(k, pair.x_ij, v[i], medium.porosity(i), scheme.spacing);
             });
         fields.v[i] = medium.porosity(i) * (weights.now() * water.u[i] + weights.before() * water.uOld[i])
                     + medium.mobility(i) * weights.dtPrime() * rate;
@@ -106,9 +114,13 @@ void predict(const Water<Dim>& water, const Medium& medium, const Scheme<Dim>& s
     points.refresh(fields.v);
 }
 
-template void predict(const Water<2>&, const ClearWater<2>&, const Scheme<2>&, const StepWeights&, StepFields<2>&);
-template void predict(const Water<3>&, const ClearWater<3>&, const Scheme<3>&, const StepWeights&, StepFields<3>&);
-template void predict(const Water<2>&, const WaterInSoil<2>&, const Scheme<2>&, const StepWeights&, StepFields<2>&);
-template void predict(const Water<3>&, const WaterInSoil<3>&, const Scheme<3>&, const StepWeights&, StepFields<3>&);
+template void predict(const Water<2>&, const WallCloud<2>&, const ClearWater<2>&, const Scheme<2>&, const StepWeights&,
+                      StepFields<2>&);
+template void predict(const Water<3>&, const WallCloud<3>&, const ClearWater<3>&, const Scheme<3>&, const StepWeights&,
+                      StepFields<3>&);
+template void predict(const Water<2>&, const WallCloud<2>&, const WaterInSoil<2>&, const Scheme<2>&, const StepWeights&,
+                      StepFields<2>&);
+template void predict(const Water<3>&, const WallCloud<3>&, const WaterInSoil<3>&, const Scheme<3>&, const StepWeights&,
+                      StepFields<3>&);
 
 }  // namespace isph

@@ -13,7 +13,7 @@ namespace isph {
 ///              across or in soil, whose drag needs no help.                             [theory (7.3)]
 /// out          fields.v of water and images.
 template <int Dim, class Medium>
-void predict(const Water<Dim>& water, const Medium& medium, const Scheme<Dim>& scheme,
+void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium& medium, const Scheme<Dim>& scheme,
              const StepWeights& weights, StepFields<Dim>& fields);
 
 }  // namespace isph

@@ -10,7 +10,6 @@ ProjectionStep<Dim>::ProjectionStep(Scene<Dim>& scene, Timers& timers)
     : scene_(scene), timers_(timers), guard_(scene.wallCloud, scene.scheme.spacing),
       latticeFilling_(latticeSum(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing))
 {
-    fields_.noSlip = scene.noSlip;
 }
 
 template <int Dim>

@@ -21,7 +21,6 @@ struct Scene {
     Water<Dim> water;
     Walls<Dim> walls;
     WallCloud<Dim> wallCloud;
-    std::vector<char> noSlip;                       ///< of the wall cloud, empty where all walls slip
     Soil<Dim> soil;
     std::unique_ptr<PorousField<Dim>> porous;       ///< null without soil
     std::unique_ptr<TurbulenceModel> turbulence;    ///< null when laminar

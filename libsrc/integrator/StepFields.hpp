@@ -20,7 +20,6 @@ struct StepFields {
     std::vector<Real> eddyViscosity;     ///< nu_T [m2/s], empty when laminar
     std::vector<Vec<Dim>> v;             ///< Darcy velocity: of the predictor, then of the corrector [m/s]
     std::vector<Real> p;                 ///< p/rho0 of water and images [m2/s2]
-    std::vector<char> noSlip;            ///< of the wall points, empty where all walls slip
 };
 
 }  // namespace isph

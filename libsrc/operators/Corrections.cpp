@@ -24,7 +24,7 @@ template <int Dim>
 void Corrections<Dim>::compute(const Points<Dim>& points, const PairList<Dim>& pairs)
 {
     const Index n = points.water;
-    lambda.resize(points.fluid);
+    lambda.resize(points.fluid), lambdaWater.resize(points.fluid);
     filling.resize(n), L.resize(n), Lwater.resize(n), seen.resize(n), lopsided.resize(n);
     parallelForDynamic(n, [&](Index i) {
         Mat<Dim> A;
@@ -38,6 +38,7 @@ void Corrections<Dim>::compute(const Points<Dim>& points, const PairList<Dim>& p
         };
         pairs.forWater(i, add);
         Lwater[i] = blendedInverse(A);
+        lambdaWater[i] = trace(A);
         pairs.forWalls(i, add);
         L[i] = blendedInverse(A);
         seen[i] = L[i] * A;
@@ -45,7 +46,7 @@ void Corrections<Dim>::compute(const Points<Dim>& points, const PairList<Dim>& p
         filling[i] = fill;
         lopsided[i] = side;
     });
-    points.refresh(lambda);
+    points.refresh(lambda), points.refresh(lambdaWater);
 }
 
 template Mat<2> blendedInverse(const Mat<2>&);

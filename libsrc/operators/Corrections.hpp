@@ -13,6 +13,7 @@ template <int Dim>
 struct Corrections {
     /// lambda_i = -sum_j V_j x_ij.gradW_ij over water and walls: Dim in the bulk, less at a surface.
     std::vector<Real> lambda;
+    std::vector<Real> lambdaWater;        ///< the same over water partners alone
     /// sum_j V_j W_ij, i itself included, over water and walls: 1 where space is filled.
     std::vector<Real> filling;
     /// Corrections L of grad f = sum_j V_j (f_j - f_i) L gradW_ij, exact for linear f: with water and

@@ -92,27 +92,44 @@ Real leastPorosity(const CaseFiles& files, const Soil<Dim>& soil)
     return least;
 }
 
-/// Walls that do not slip, as flags of the wall cloud; empty where all slip.
+/// A wall may move along itself alone: its particles stay where they are.
 template <int Dim>
-std::vector<char> readNoSlip(const CaseFiles& files, const Scene<Dim>& scene)
+void requireAlongItself(const Dictionary& condition, const WallCloud<Dim>& walls, std::int64_t wall, const Vec<Dim>& velocity)
 {
-    if (!files.boundaries.found("walls")) return {};
+    Real across = 0, count = 0;
+    for (std::size_t k = 0; k < walls.size(); ++k)
+        if (walls.wall[k] == wall) across += std::abs(dot(velocity, walls.normal[k])), count += 1;
+    if (across > 0.2 * count * norm(velocity))   // corners have normals of their own
+        condition.fail("velocity", "The velocity of a wall lies along its surface; walls that move through the water are not built.");
+}
+
+/// Walls that water sticks to, with their velocities, told to the wall cloud.
+template <int Dim>
+void readFriction(const CaseFiles& files, const std::vector<std::string>& names, WallCloud<Dim>& walls)
+{
+    if (!files.boundaries.found("walls")) return;
     const Dictionary& conditions = files.boundaries.subDict("walls");
-    std::vector<char> noSlip(scene.walls.names.size(), 0);
-    bool any = false;
     for (const std::string& name : conditions.keywords()) {
-        const auto it = std::find(scene.walls.names.begin(), scene.walls.names.end(), name);
-        if (it == scene.walls.names.end())
-            conditions.fail(name, "There is no wall " + name + ". Walls of this case:\n" + listOf(scene.walls.names));
-        wallConditionKeys().check(conditions.subDict(name));
-        if (wallConditionKeys().get<std::string>(conditions.subDict(name), "condition") == "noSlip")
-            noSlip[static_cast<std::size_t>(it - scene.walls.names.begin())] = 1, any = true;
+        const auto it = std::find(names.begin(), names.end(), name);
+        if (it == names.end())
+            conditions.fail(name, "There is no wall " + name + ". Walls of this case:\n" + listOf(names));
+        const Dictionary& condition = conditions.subDict(name);
+        wallConditionKeys().check(condition);
+        const bool sticks = wallConditionKeys().get<std::string>(condition, "condition") == "noSlip";
+        if (!sticks && condition.found("velocity"))
+            condition.fail("velocity", "A wall that slips drags no water along: condition noSlip belongs to a velocity.");
+        if (!sticks) continue;
+        walls.noSlip.resize(walls.size()), walls.velocity.resize(walls.size());
+        const std::int64_t wall = it - names.begin();
+        Vec<Dim> velocity;
+        if (condition.found("velocity")) {
+            const Vector3 given = wallConditionKeys().get<Vector3>(condition, "velocity");
+            for (int d = 0; d < Dim; ++d) velocity[d] = given[d];
+            requireAlongItself(condition, walls, wall, velocity);
+        }
+        for (std::size_t k = 0; k < walls.size(); ++k)
+            if (walls.wall[k] == wall) walls.noSlip[k] = 1, walls.velocity[k] = velocity;
     }
-    if (!any) return {};
-    std::vector<char> flags(scene.wallCloud.size());
-    for (std::size_t k = 0; k < flags.size(); ++k)
-        flags[k] = noSlip[static_cast<std::size_t>(scene.wallCloud.wall[k])];
-    return flags;
 }
 
 }  // namespace
@@ -155,7 +172,7 @@ Scene<Dim> readScene(const CaseFiles& files, const TimeFolder& start)
     const Real reach = scene.kernel->supportRadius() * scene.scheme.h0
                      / std::pow(leastPorosity(files, scene.soil), Real(1) / Dim);
     scene.wallCloud = WallCloud<Dim>(scene.walls, scene.box, reach + scene.scheme.spacing);
-    scene.noSlip = readNoSlip(files, scene);
+    readFriction(files, scene.walls.names, scene.wallCloud);
     readSoil(files, scene);
     if (readTimeState(start).index == 0) sortParticles(scene);   // later ones are written sorted
     scene.solver = PressureSolver::select(files.solution.subDict("pressure"));

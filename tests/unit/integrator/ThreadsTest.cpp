@@ -66,7 +66,7 @@ OneStep predictAndCorrect()
     fields.points.refresh(fields.resistance);
     const StepWeights weights{1e-3, 0.8};
     const WaterInSoil<2> medium{weights.dtPrime(), fields.soil, fields.resistance};
-    predict(scene.water, medium, scene.scheme, weights, fields);
+    predict(scene.water, scene.wallCloud, medium, scene.scheme, weights, fields);
     OneStep result;
     result.predicted = fields.v;
     for (const Vec<2>& x : fields.points.x) fields.p.push_back(10 * sqr(x[1]) - x[0]);
