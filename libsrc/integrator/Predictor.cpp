@@ -8,7 +8,7 @@ namespace isph {
 namespace {
 constexpr Real kSoilShare = 0.05;   // a particle with more soil around it takes no dissipation
 
-constexpr Real kInnerStrength = 4;  // c_r of inner pairs, whose rough part is small, over that of others
+constexpr Real kInnerStrength = 8;  // c_r of inner pairs, whose rough part is small, over that of others
 
 /// Lower bound of (lambda_i + lambda_j)/(2 Dim): sprays have little of a support.  [theory (2.8)]
 constexpr Real kLeastSupport = 0.7;

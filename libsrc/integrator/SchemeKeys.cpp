@@ -25,7 +25,7 @@ Schema stabilisationKeys()
             Key::scalar("relaxationTime", "time in which density errors decay [s]; auto: 0.2 sqrt(H/g), without gravity 20 d0/U")
                 .units(dims::time).above(0).oneOf({"auto"}).byDefault("auto"),
             Key::scalar("speedFactor", "upper bound of the decay rate in units of max|u|/d0")
-                .byDefault("1").atLeast(0),
+                .byDefault("0.1").atLeast(0),
             Key::scalar("alpha", "share of the density error that constantAlpha removes in a step")
                 .byDefault("0.01").atLeast(0).atMost(1)};
 }
