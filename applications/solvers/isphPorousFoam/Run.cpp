@@ -60,7 +60,7 @@ public:
         }
         if (time_.exitCode() == 0 && functions_.dueAtEnd(time_.instant())) execute();
         const Real particleSteps = Real(time_.index() - firstIndex) * static_cast<Real>(scene_.water.size());
-        logTimings(timers_, particleSteps, wallSeconds() - wallStart);
+        logTimings(timers_, scene_.water.size(), particleSteps, wallSeconds() - wallStart);
         const int code = time_.exitCode();
         if (code == 0) info("End\n");
         else info("Stopped at time {} by signal {}; started again, it goes on from there\n", time_.name(), code - 128);

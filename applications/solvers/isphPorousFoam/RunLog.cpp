@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+#include <sys/resource.h>
+
 namespace isph {
 
 namespace {
@@ -41,6 +43,14 @@ void logExplicitDrag(const CaseFiles& files, const Scene<Dim>& scene)
     for (const SoilZone& zone : scene.porous->zones())
         info("Explicit drag in zone {}: stable for steps below {:.4g} s, less where water is fast",
              zone.name, explicitDragLimit(zone));
+}
+
+/// The most memory that this process has held [bytes].
+double peakMemory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
 }  // namespace
@@ -129,15 +139,18 @@ void logExtent(const Water<Dim>& water)
     info("Extent of the water: ({:.6g}) to ({:.6g})\n", fmt::join(low.c, " "), fmt::join(high.c, " "));
 }
 
-void logTimings(const Timers& timers, Real particleSteps, double seconds)
+void logTimings(const Timers& timers, std::size_t particles, Real particleSteps, double seconds)
 {
     info("Time of the parts of the run:");
     std::vector<Timers::Part> parts = timers.parts();
     std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
     for (const auto& part : parts)
-        info("    {:<26} {:>10.2f} s {:>6.1f} %", part.name, part.seconds, 100 * part.seconds / seconds);
-    info("    {:<26} {:>10.2f} s", "run", seconds);
-    info("Particle-steps per second: {:.4g}\n", particleSteps / seconds);
+        info("    {:<26} {:>10.3f} s {:>6.1f} %", part.name, part.seconds, 100 * part.seconds / seconds);
+    info("    {:<26} {:>10.3f} s", "run", seconds);
+    info("Particle-steps per second: {:.4g}", particleSteps / seconds);
+    const double memory = peakMemory();
+    info("Peak memory: {:.1f} MB for {} particles, {:.2f} kB each\n", 1e-6 * memory, particles,
+         1e-3 * memory / static_cast<double>(particles));
 }
 
 template void logScene(const CaseFiles&, const Scene<2>&);

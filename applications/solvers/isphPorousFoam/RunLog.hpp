@@ -32,7 +32,7 @@ private:
 template <int Dim>
 void logExtent(const Water<Dim>& water);
 
-/// Time per part of the step and particle-steps per second.
-void logTimings(const Timers& timers, Real particleSteps, double seconds);
+/// Time per part of the step, particle-steps per second, peak memory.
+void logTimings(const Timers& timers, std::size_t particles, Real particleSteps, double seconds);
 
 }  // namespace isph
