@@ -6,22 +6,20 @@
 #include "core/Parallel.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace isph {
 
 namespace {
 
-constexpr Real smoothing = 1.5;      // h over the local spacing
-constexpr Real rate = 0.15;          // c
-constexpr Real evenness = 0.3;       // e: orders the particles
-constexpr Real stiffness = 4;        // K: evens out the kernel sum where the spacing varies
-constexpr Real longestStep = 0.1;    // in local spacings
-constexpr Real settled = 3e-3;       // in local spacings
-constexpr Real rests = settled / 3;  // in local spacings: what moves less waits for the next search
+constexpr Real smoothing = 1.5;    // h over the local spacing
+constexpr Real rate = 0.15;        // c
+constexpr Real evenness = 0.3;     // e: orders the particles
+constexpr Real stiffness = 4;      // K: evens out the kernel sum where the spacing varies
+constexpr Real longestStep = 0.1;  // in local spacings
+constexpr Real settled = 3e-3;     // in local spacings
 constexpr int mostSweeps = 200;
 constexpr int sweepsPerSearch = 10;
-constexpr Real skin = 0.25;   // of d0: how far two particles may approach between searches
+constexpr Real skin = 0.5;    // of d0: how far two particles may approach between searches
 constexpr Real margin = 0.4;  // in local spacings: what a particle keeps from the faces of its part
 
 class Packing {
@@ -40,7 +38,6 @@ public:
     {
         for (std::size_t i = 0; i < x_.size(); ++i)
             if (task_.mobility[i] > 0) mobile_.push_back(i);
-        sortByPlace();
     }
 
     void run()
@@ -52,8 +49,6 @@ public:
             if (sweep % sweepsPerSearch == 0) {
                 updateSpacing();
                 search();
-                awake_.resize(mobile_.size());
-                std::iota(awake_.begin(), awake_.end(), std::size_t{0});
             }
             if (step() < settled) break;
         }
@@ -61,17 +56,6 @@ public:
     }
 
 private:
-    /// Particles with the same neighbours stand together: what one has loaded serves the next.
-    void sortByPlace()
-    {
-        std::vector<std::array<std::int64_t, 3>> cell(x_.size());
-        for (std::size_t i : mobile_)
-            for (int d = 0; d < g_.dimension; ++d)
-                cell[i][d] = static_cast<std::int64_t>(std::floor(x_[i][d] / (2 * d0_)));
-        std::stable_sort(mobile_.begin(), mobile_.end(),
-                         [&](std::size_t a, std::size_t b) { return cell[a] < cell[b]; });
-    }
-
     /// sum_j V_j W_ij in a lattice.
     Real latticeSum() const
     {
@@ -165,25 +149,19 @@ private:
         });
     }
 
-    /// f(j or -1 for space outside, volume, vector to it, distance, h_ij) for what is within the
-    /// support of particle m.
+    /// f(j or -1 for space outside, volume, vector to it, h_ij) for what is within the support of
+    /// particle m.
     template <class F>
     void forEachNear(std::size_t m, F&& f) const
     {
         const std::size_t i = mobile_[m];
-        const Point x = x_[i];
-        const Real s = spacing_[i];
-        const auto visit = [&](Index j, Real volume, const Point& r, Real h) {
-            const Real r2 = normSqr(r);
-            if (r2 < 4 * h * h) f(j, volume, r, std::sqrt(r2), h);
-        };
         for (Index k : near_[m]) {
             const Index j = images_->owner[k];
-            visit(j, volume_[j], x_[j] + images_->shift[k] - x,
-                  0.5 * smoothing * (s + spacing_[j]));
+            f(j, volume_[j], x_[j] + images_->shift[k] - x_[i],
+              0.5 * smoothing * (spacing_[i] + spacing_[j]));
         }
         for (Index k : nearOutside_[m])
-            visit(-1, outsideVolume_[k], outside_[k] - x, smoothing * s);
+            f(-1, outsideVolume_[k], outside_[k] - x_[i], smoothing * spacing_[i]);
     }
 
     /// How much sum_j V_j W_ij exceeds that of a lattice.
@@ -191,8 +169,9 @@ private:
     {
         const std::size_t i = mobile_[m];
         Real sum = volume_[i] * kernel_.w(0, smoothing * spacing_[i]);
-        forEachNear(m, [&](Index, Real volume, const Point&, Real distance, Real h) {
-            sum += volume * kernel_.w(distance, h);
+        forEachNear(m, [&](Index, Real volume, const Point& r, Real h) {
+            const Real distance = norm(r);
+            if (distance < 2 * h) sum += volume * kernel_.w(distance, h);
         });
         return sum - latticeSum_;
     }
@@ -202,7 +181,9 @@ private:
     {
         const std::size_t i = mobile_[m];
         Point sum;
-        forEachNear(m, [&](Index j, Real volume, const Point& r, Real distance, Real h) {
+        forEachNear(m, [&](Index j, Real volume, const Point& r, Real h) {
+            const Real distance = norm(r);
+            if (distance >= 2 * h) return;
             const Real excesses = excess_[i] + (j < 0 ? excess_[i] : excess_[j]);
             sum += volume * (evenness + stiffness * excesses) * kernel_.slope(distance, h) * r;
         });
@@ -244,30 +225,24 @@ private:
         return task_.own(i, x) <= atMost_[i] ? x : x_[i];
     }
 
-    /// One sweep over all particles that are awake at once, after which those that hardly moved are
-    /// not; the largest step in local spacings.
+    /// One sweep over all mobile particles at once; the largest step in local spacings.
     Real step()
     {
-        parallelForDynamic(awake_.size(),
-                           [&](Index a) { excess_[mobile_[awake_[a]]] = excess(awake_[a]); });
-        std::vector<Point> next(awake_.size());
-        parallelForDynamic(awake_.size(), [&](Index a) {
-            const std::size_t i = mobile_[awake_[a]];
-            Point by = rate * task_.mobility[i] * push(awake_[a]);
+        parallelForDynamic(mobile_.size(), [&](Index m) { excess_[mobile_[m]] = excess(m); });
+        std::vector<Point> next(mobile_.size());
+        parallelForDynamic(mobile_.size(), [&](Index m) {
+            const std::size_t i = mobile_[m];
+            Point by = rate * task_.mobility[i] * push(m);
             const Real length = norm(by), most = longestStep * spacing_[i];
             if (length > most) by *= most / length;
-            next[a] = moved(i, by);
+            next[m] = moved(i, by);
         });
         Real largest = 0;
-        std::size_t awake = 0;
-        for (std::size_t a = 0; a < next.size(); ++a) {
-            const std::size_t i = mobile_[awake_[a]];
-            const Real length = norm(next[a] - x_[i]) / spacing_[i];
-            largest = std::max(largest, length);
-            x_[i] = next[a];
-            if (length > rests) awake_[awake++] = awake_[a];
+        for (std::size_t m = 0; m < mobile_.size(); ++m) {
+            Point& x = x_[mobile_[m]];
+            largest = std::max(largest, norm(next[m] - x) / spacing_[mobile_[m]]);
+            x = next[m];
         }
-        awake_.resize(awake);
         return largest;
     }
 
@@ -280,7 +255,6 @@ private:
     std::vector<Real> atMost_;  ///< a bound of own() at x
     Real latticeSum_;
     std::vector<std::size_t> mobile_;
-    std::vector<std::size_t> awake_;  ///< places in mobile_
     std::vector<Point> outside_;
     std::vector<Real> outsideVolume_;
     std::unique_ptr<PeriodicPoints> images_;

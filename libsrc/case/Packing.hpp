@@ -25,8 +25,7 @@ struct PackingTask {
 /// n_i = sum_j V_j W_ij less that of a lattice, over particles and over the space outside (by
 /// midpoints), until the largest step is 3e-3 of a spacing or 200 sweeps are done. The term e
 /// orders the particles; alone it leaves the sum uneven by 3 % where the spacing varies, which the
-/// term K repairs. What moves less than 1e-3 of a spacing in a sweep waits for the next search of
-/// neighbours, every 10 sweeps. Threaded, the same bits for any number of threads.
+/// term K repairs. Threaded, the same bits for any number of threads.
 void pack(const PackingTask& task, std::vector<Point>& x);
 
 }  // namespace isph

@@ -17,16 +17,15 @@ struct PackingKernel {
     Real sigma() const { return (dimension == 2 ? 7.0 / 4.0 : 21.0 / 16.0) / std::numbers::pi; }
     Real w(Real r, Real h) const
     {
-        const Real inverse = 1 / h, q = r * inverse, t = std::max(0.0, 1 - 0.5 * q);
-        return sigma() * power(inverse) * sqr(sqr(t)) * (1 + 2 * q);
+        const Real q = r / h, t = std::max(0.0, 1 - 0.5 * q);
+        return sigma() / (dimension == 2 ? sqr(h) : cube(h)) * sqr(sqr(t)) * (1 + 2 * q);
     }
     /// (dW/dr)/r
     Real slope(Real r, Real h) const
     {
-        const Real inverse = 1 / h, t = std::max(0.0, 1 - 0.5 * r * inverse);
-        return -5 * sigma() * cube(t) * power(inverse) * sqr(inverse);
+        const Real t = std::max(0.0, 1 - 0.5 * r / h);
+        return -5 * sigma() * cube(t) / (dimension == 2 ? sqr(sqr(h)) : sqr(sqr(h)) * h);
     }
-    Real power(Real a) const { return dimension == 2 ? sqr(a) : cube(a); }
 };
 
 /// Points and their images across the periodic faces, as far as `reach` beyond them.
