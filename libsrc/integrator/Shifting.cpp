@@ -50,7 +50,8 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
         const Real lambda = fields.corrections.lambda[i];
         const Mat<Dim> gradU = gradient(fields, u, i);
         if (fields.role[i] == SurfaceRole::inner) divergence[i] = sqr(dt * trace(gradU));
-        const bool inSoil = !fields.soil.share.empty() && fields.soil.share[i] > kSoilShare;
+        const auto isInSoil = [&](Index j) { return !fields.soil.share.empty() && fields.soil.share[j] > kSoilShare; };
+        const bool inSoil = isInSoil(i);
         if (lambda < kLeastSupport * Dim || inSoil) return;
         const Real h = points.h[i], WLattice = wLattice / (Dim == 2 ? sqr(h) : cube(h));
         Vec<Dim> concentration, normal;
@@ -60,7 +61,7 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
             concentration += (V * (1 + kTensile * sqr(sqr(pair.W / WLattice)))) * pair.gradW();
             if (pair.j < points.fluid) {
                 normal += (V * (fields.corrections.lambda[pair.j] - lambda)) * pair.gradW();
-                U2 = std::max(U2, normSqr(u[i] - u[pair.j]));
+                if (!isInSoil(pair.j)) U2 = std::max(U2, normSqr(u[i] - u[pair.j]));   // pores are swifter
             }
         });
         Vec<Dim> step = (-scheme.shifting * h * dt * std::sqrt(U2)) * concentration;
