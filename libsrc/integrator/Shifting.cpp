@@ -43,6 +43,9 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
     kernel.evaluate(Span<const Real>(&qLattice, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
     const Real wLattice = w * kernel.normalisation(Dim);   // W(s_i) h_i^D
     std::vector<Vec<Dim>> u(water.u), uOld(water.uOld), dx(n), change(n), changeOld(n);
+    // Water beside soil sees the Darcy velocity, which is continuous across the face; pores are swifter.
+    const auto& porosity = fields.soil.porosity;
+    parallelFor(n, [&](Index i) { u[i] *= porosity[i], uOld[i] *= porosity[i]; });
     u.resize(points.fluid), uOld.resize(points.fluid);
     points.refresh(u), points.refresh(uOld);
     std::vector<Real> divergence(n, 0);
@@ -50,8 +53,7 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
         const Real lambda = fields.corrections.lambda[i];
         const Mat<Dim> gradU = gradient(fields, u, i);
         if (fields.role[i] == SurfaceRole::inner) divergence[i] = sqr(dt * trace(gradU));
-        const auto isInSoil = [&](Index j) { return !fields.soil.share.empty() && fields.soil.share[j] > kSoilShare; };
-        const bool inSoil = isInSoil(i);
+        const bool inSoil = !fields.soil.share.empty() && fields.soil.share[i] > kSoilShare;
         if (lambda < kLeastSupport * Dim || inSoil) return;
         const Real h = points.h[i], WLattice = wLattice / (Dim == 2 ? sqr(h) : cube(h));
         Vec<Dim> concentration, normal;
@@ -61,7 +63,7 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
             concentration += (V * (1 + kTensile * sqr(sqr(pair.W / WLattice)))) * pair.gradW();
             if (pair.j < points.fluid) {
                 normal += (V * (fields.corrections.lambda[pair.j] - lambda)) * pair.gradW();
-                if (!isInSoil(pair.j)) U2 = std::max(U2, normSqr(u[i] - u[pair.j]));   // pores are swifter
+                U2 = std::max(U2, normSqr(u[i] - u[pair.j]));
             }
         });
         Vec<Dim> step = (-scheme.shifting * h * dt * std::sqrt(U2)) * concentration;
