@@ -13,8 +13,16 @@ namespace isph {
 
 namespace {
 constexpr Real kForceLimit = 0.25, kViscousLimit = 0.125;   // [Morris et al. 1997]
-constexpr Real kCollapse = 1e-5;                            // of the other limits: no flow is that fast
+constexpr Real kCollapse = 1e-5;                            // of the calm step: no flow is that fast
 constexpr Real kGrowth = 1.2;                               // BDF2 is zero-stable below 2.4
+constexpr Real kFarthest = 1;        // spacings that water may move in a step whose size is given
+constexpr Real kDiffusion = 0.16;    // h0^2/nu: BDF2 with extrapolated friction, 4/(3 nu max eigenvalue)
+
+template <int Dim>
+Real largestViscosity(const Scheme<Dim>& scheme, Span<const Real> eddyViscosity)
+{
+    return scheme.viscosity + orderedMax(eddyViscosity.size(), 0, [&](Index i) { return eddyViscosity[i]; });
+}
 }  // namespace
 
 template <int Dim>
@@ -30,20 +38,38 @@ CourantNumber courantRate(const Scheme<Dim>& scheme, const Water<Dim>& water, Sp
 
 template <int Dim>
 Real stepSize(const Scheme<Dim>& scheme, Real maxCo, Real maxDeltaT, Real first, Real dtOld, Real courant,
-              Span<const Real> eddyViscosity)
+              Span<const Real> eddyViscosity, Real courantAtStart)
 {
-    Real dt = std::min(maxDeltaT, dtOld > 0 ? kGrowth * dtOld : first);
-    const Real f = norm(scheme.force);
-    if (f > 0) dt = std::min(dt, kForceLimit * std::sqrt(scheme.h0 / f));
-    const Real nu = scheme.viscosity
-                  + orderedMax(eddyViscosity.size(), 0, [&](Index i) { return eddyViscosity[i]; });
-    if (nu > 0) dt = std::min(dt, kViscousLimit * sqr(scheme.h0) / nu);
-    if (courant > 0 && maxCo / courant < kCollapse * dt)
+    Real calm = maxDeltaT;
+    const Real f = norm(scheme.force), nu = largestViscosity(scheme, eddyViscosity);
+    if (f > 0) calm = std::min(calm, kForceLimit * std::sqrt(scheme.h0 / f));
+    if (nu > 0) calm = std::min(calm, kViscousLimit * sqr(scheme.h0) / nu);
+    const Real dt = std::min(calm, dtOld > 0 ? kGrowth * dtOld : first);
+    if (!(courant > 0)) return dt;
+    calm = std::min(calm, first);
+    if (courantAtStart > 0) calm = std::min(calm, maxCo / courantAtStart);
+    if (maxCo / courant < kCollapse * calm)
         throw FatalError(fmt::format(
             "The step collapsed: the water moves {:g} spacings per second, so that maxCo {:g} asks for {:g} s.\n"
             "The flow has become unstable; the last time folder holds the last good state.",
             courant, maxCo, maxCo / courant));
-    return courant > 0 ? std::min(dt, maxCo / courant) : dt;
+    return std::min(dt, maxCo / courant);
+}
+
+template <int Dim>
+void requireStableStep(const Scheme<Dim>& scheme, Real dt, Real courant, Span<const Real> eddyViscosity)
+{
+    const auto stop = [&](const std::string& why, Real limit) {
+        throw FatalError(fmt::format("deltaT {:g} s is too large: {}.\nThe limit is {:.4g} s here. Take a smaller "
+                                     "deltaT in system/controlDict, or adjustTimeStep yes.", dt, why, limit));
+    };
+    const Real nu = largestViscosity(scheme, eddyViscosity);
+    if (courant * dt > kFarthest)
+        stop(fmt::format("the fastest water moves {:.4g} spacings in a step, Courant number {:g} is the limit",
+                         courant * dt, kFarthest), kFarthest / courant);
+    if (nu * dt > kDiffusion * sqr(scheme.h0))
+        stop(fmt::format("friction with nu = {:g} m2/s is stable up to {:g} h0^2/nu", nu, kDiffusion),
+             kDiffusion * sqr(scheme.h0) / nu);
 }
 
 template <int Dim>
@@ -67,7 +93,8 @@ void requireFinite(const Water<Dim>& water, Real time, Real dt)
 
 #define ISPH_INSTANTIATE(Dim)                                                                           \
     template CourantNumber courantRate(const Scheme<Dim>&, const Water<Dim>&, Span<const Real>);        \
-    template Real stepSize(const Scheme<Dim>&, Real, Real, Real, Real, Real, Span<const Real>);         \
+    template Real stepSize(const Scheme<Dim>&, Real, Real, Real, Real, Real, Span<const Real>, Real);   \
+    template void requireStableStep(const Scheme<Dim>&, Real, Real, Span<const Real>);                  \
     template void requireFinite(const Water<Dim>&, Real, Real);
 ISPH_INSTANTIATE(2)
 ISPH_INSTANTIATE(3)

@@ -87,10 +87,13 @@ private:
     {
         const Real dtOld = time_.index() > 0 ? time_.deltaT() : 0;
         const CourantNumber perTime = courantRate(scene_.scheme, scene_.water, step_->fields().soil.porosity);
+        const auto& eddyViscosity = step_->fields().eddyViscosity;
+        if (!courantAtStart_) courantAtStart_ = perTime.max;
         if (time_.adjustTimeStep())
-            time_.setDeltaT(stepSize(scene_.scheme, time_.maxCo(), time_.maxDeltaT(), time_.controlDeltaT(), dtOld,
-                                     perTime.max, step_->fields().eddyViscosity));
+            time_.setDeltaT(stepSize<Dim>(scene_.scheme, time_.maxCo(), time_.maxDeltaT(), time_.controlDeltaT(), dtOld,
+                                          perTime.max, eddyViscosity, *courantAtStart_));
         time_.advance();
+        if (!time_.adjustTimeStep()) requireStableStep<Dim>(scene_.scheme, time_.deltaT(), perTime.max, eddyViscosity);
         logStepStart(time_, perTime.mean * time_.deltaT(), perTime.max * time_.deltaT());
         const StepReport report = step_->advance(time_.deltaT(), dtOld);
         if (erosion_) erode();
@@ -155,6 +158,7 @@ private:
     FunctionObjectList functions_;
     std::optional<Erosion<Dim>> erosion_;   ///< only where the case has constant/erosionProperties
     StepLog log_;
+    std::optional<Real> courantAtStart_;    ///< spacings per second of the fastest water, at the start of the run
     bool measures_ = true;
     int rereads_ = 0;   ///< of controlDict, that the function objects have followed
 };

@@ -44,6 +44,46 @@ TEST(TimeStep, AFlowThatBecameUnstableEndsTheRun)
     EXPECT_THROW(stepSize<2>(scheme(), 0.2, none, 1e-3, 0, 1e9, {}), FatalError);
 }
 
+TEST(TimeStep, AStepThatShrankByDegreesEndsTheRunAsWell)
+{
+    // Each step is half of the one before: the growth limit is never far, the calm step is.
+    Real dt = 1e-3;
+    const auto shrink = [&] {
+        for (int n = 0; n < 100; ++n) dt = stepSize<2>(scheme(), 0.2, none, 1e-3, dt, 0.2 / (dt / 2), {});
+    };
+    EXPECT_THROW(shrink(), FatalError);
+    EXPECT_GT(dt, 1e-5 * 1e-3 / 2);
+}
+
+TEST(TimeStep, WaterThatIsFastFromTheStartIsNoCollapse)
+{
+    Scheme<2> calm = scheme();
+    calm.force = {}, calm.viscosity = 0;
+    const Real rate = 100 / calm.spacing;
+    EXPECT_DOUBLE_EQ(stepSize<2>(calm, 0.2, none, 1e3, 0, rate, {}, rate), 0.2 / rate);
+    EXPECT_DOUBLE_EQ(stepSize<2>(calm, 0.2, none, 1e3, 0.2 / rate, rate, {}, rate), 0.2 / rate);
+}
+
+std::string messageOf(const std::function<void()>& f)
+{
+    try {
+        f();
+    } catch (const FatalError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(TimeStep, AGivenStepBeyondItsLimitIsRefusedWithTheLimit)
+{
+    const Scheme<2> s = scheme();
+    EXPECT_NO_THROW(requireStableStep<2>(s, 1e-3, 999, {}));
+    EXPECT_NE(messageOf([&] { requireStableStep<2>(s, 1e-2, 400, {}); }).find("limit is 0.0025 s"), std::string::npos);
+    const std::vector<Real> eddy = {0, 0.1 - 1e-6};
+    EXPECT_NO_THROW(requireStableStep<2>(s, 3e-4, 0, eddy));
+    EXPECT_NE(messageOf([&] { requireStableStep<2>(s, 4e-4, 0, eddy); }).find("limit is 0.00036 s"), std::string::npos);
+}
+
 TEST(TimeStep, AStateThatIsNoNumberNamesItsParticle)
 {
     Water<2> water;
