@@ -18,6 +18,7 @@ namespace {
 constexpr Real kTensile = 0.2;             // [Monaghan 2000], power 4
 constexpr Real kLeastSupport = 0.4;        // lambda/Dim below which nothing is shifted
 constexpr Real kSoilShare = 0.05;
+constexpr Real kEdge = 1e-12;              // of W(s_i): rounding decides about pairs at the edge of the support
 constexpr Real kSurfaceCollision = 0.95;   // in local spacings: between particles of the surface
 
 /// grad u, row d = grad of component d, from water partners with their correction.
@@ -63,7 +64,7 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
             concentration += (V * (1 + kTensile * sqr(sqr(pair.W / WLattice)))) * pair.gradW();
             if (pair.j < points.fluid) {
                 normal += (V * (fields.corrections.lambda[pair.j] - lambda)) * pair.gradW();
-                U2 = std::max(U2, normSqr(u[i] - u[pair.j]));
+                if (pair.W > kEdge * WLattice) U2 = std::max(U2, normSqr(u[i] - u[pair.j]));
             }
         });
         Vec<Dim> step = (-scheme.shifting * h * dt * std::sqrt(U2)) * concentration;
