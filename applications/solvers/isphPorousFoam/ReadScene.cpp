@@ -169,6 +169,7 @@ Scene<Dim> readScene(const CaseFiles& files, const TimeFolder& start)
     if (!choice.found("kernel")) choice.set("kernel", "wendlandC2");
     scene.kernel = Kernel::select(choice);
     scene.box = readBox<Dim>(files);
+    if (readTimeState(start).index == 0) requireApart(scene, start.path / "water.vtp");
     const Real reach = scene.kernel->supportRadius() * scene.scheme.h0
                      / std::pow(leastPorosity(files, scene.soil), Real(1) / Dim);
     scene.wallCloud = WallCloud<Dim>(scene.walls, scene.box, reach + scene.scheme.spacing);

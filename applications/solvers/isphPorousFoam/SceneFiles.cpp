@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SceneFiles.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,28 @@ void takeParticles(const std::map<std::string, ParticleFile>& files, Scene<Dim>&
     scene.water = waterOf<Dim>(files.at("water"));
     if (const auto it = files.find("walls"); it != files.end()) scene.walls = wallsOf<Dim>(it->second);
     if (const auto it = files.find("soil"); it != files.end()) scene.soil = soilOf<Dim>(it->second);
+}
+
+template <int Dim>
+void requireApart(const Scene<Dim>& scene, const std::filesystem::path& file)
+{
+    const Water<Dim>& water = scene.water;
+    const Real reach = 0.1 * scene.scheme.spacing;
+    CellGrid<Dim> grid;
+    grid.build(water.x, scene.scheme.spacing);
+    std::vector<Index> other(water.size(), -1);
+    parallelFor(water.size(), [&](Index i) {
+        grid.forEachNear(water.x[i], reach, [&](Index j) {
+            if (j != i && norm(water.x[j] - water.x[i]) <= reach) other[i] = j;
+        });
+    });
+    for (std::size_t i = 0; i < other.size(); ++i)
+        if (other[i] >= 0)
+            throw FatalIOError(
+                fmt::format("The water particles {} and {} at ({:g}) are {:.3g} m apart, less than a tenth of the spacing, and would "
+                            "stay together as one: move one of them, or run createParticles again.",
+                            water.id[i], water.id[other[i]], fmt::join(water.x[i].c, " "), norm(water.x[i] - water.x[other[i]])),
+                file.string(), 0);
 }
 
 template <int Dim>
@@ -53,6 +77,7 @@ std::vector<Real> pressure(const Scene<Dim>& scene)
 
 #define ISPH_INSTANTIATE(Dim)                                                                      \
     template void takeParticles(const std::map<std::string, ParticleFile>&, Scene<Dim>&);          \
+    template void requireApart(const Scene<Dim>&, const std::filesystem::path&);                   \
     template void sortParticles(Scene<Dim>&);                                                      \
     template ParticleFile waterFile(const Scene<Dim>&, const StepFields<Dim>&);                    \
     template std::vector<Real> pressure(const Scene<Dim>&);

@@ -13,6 +13,11 @@ namespace isph {
 template <int Dim>
 void takeParticles(const std::map<std::string, ParticleFile>& files, Scene<Dim>& scene);
 
+/// Throws FatalIOError that names both where two water particles of a start stand at the same place, within
+/// a tenth of a spacing: pair forces vanish with the distance, and they would stay together as one.
+template <int Dim>
+void requireApart(const Scene<Dim>& scene, const std::filesystem::path& file);
+
 /// Particles in the order of cells, as neighbours in space are to be neighbours in memory. Done at the
 /// start and where the state is written, so that a restart has the same order.
 template <int Dim>

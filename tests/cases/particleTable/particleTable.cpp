@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields of a particle file as text, for the tests: a line a particle in the order of id, with all digits.
-//   particleTable <file> <field>...
+//   particleTable <file> <field>...        (position: where it is)
 #include "output/VtpFile.hpp"
 
 #include "core/Error.hpp"
@@ -17,6 +17,7 @@ using namespace isph;
 
 std::string field(const ParticleFile& file, const std::string& name, std::size_t i)
 {
+    if (name == "position") return fmt::format("{} {} {}", file.points[i][0], file.points[i][1], file.points[i][2]);
     if (file.integers.contains(name)) return fmt::format("{}", file.integers.at(name)[i]);
     if (file.vectors.contains(name)) {
         const Vector3& v = file.vectors.at(name)[i];
