@@ -113,8 +113,9 @@ LaidPoints laySoil(const CaseGeometry& g, const std::vector<ZonePorosity>& zones
         const std::size_t before = laid.x.size();
         for (RegionPart& part : partsOf(g, *region.shape, shapesBefore(g.soil, k), {})) {
             volume += part.volume;
-            const std::vector<Point> points = pointsIn(part, g, clearCount(part, g), g.spacing);
-            laid.add(std::move(part), k, eps, points);
+            const PartPoints points =
+                pointsIn(part, g, clearCount(part, g), g.spacing, outsideOf(g, g.soil));
+            laid.add(std::move(part), k, eps, g.spacing, points);
         }
         if (laid.x.size() == before)
             failNoRoom("soil", region.name, volume, g.spacing, g.dimension, region.at);
@@ -136,9 +137,9 @@ LaidPoints layWater(const CaseGeometry& g, const std::vector<ZonePorosity>& zone
             const std::int64_t count = part.partner < 0
                                            ? clearCount(part, g)
                                            : std::llround(eps * part.volume / g.cellVolume());
-            const auto points =
-                pointsIn(part, g, count, g.spacing / std::pow(eps, 1.0 / g.dimension));
-            laid.add(std::move(part), k, eps, points);
+            const Real spacing = g.spacing / std::pow(eps, 1.0 / g.dimension);
+            const PartPoints points = pointsIn(part, g, count, spacing, outsideOf(g, g.water));
+            laid.add(std::move(part), k, eps, spacing, points);
         }
         if (laid.x.size() == before)
             failNoRoom("water", region.name, bulk, g.spacing, g.dimension, region.at);

@@ -30,12 +30,15 @@ bool standsRight(Real distance, Real spacing)
 
 }  // namespace
 
-void LaidPoints::add(RegionPart p, std::size_t ofRegion, Real eps, const std::vector<Point>& points)
+void LaidPoints::add(RegionPart p, std::size_t ofRegion, Real eps, Real apart,
+                     const PartPoints& points)
 {
     parts.push_back(std::move(p));
     region.push_back(ofRegion);
     porosity.push_back(eps);
-    x.insert(x.end(), points.begin(), points.end());
+    spacing.push_back(apart);
+    x.insert(x.end(), points.x.begin(), points.x.end());
+    snapped.insert(snapped.end(), points.snapped.begin(), points.snapped.end());
     part.resize(x.size(), parts.size() - 1);
 }
 
@@ -49,11 +52,13 @@ LatticeFit latticeFit(const LaidPoints& laid, const CaseGeometry& g,
     for (std::size_t i = 0; i < laid.x.size(); ++i) {
         const std::size_t own = laid.part[i];
         byPart[own].add(laid.x[i]);
-        const Real spacing = g.spacing / std::pow(laid.porosity[own], 1.0 / g.dimension);
-        fit.slides[i] = laid.porosity[own] == 1 && standsRight(outside(laid.x[i]), spacing);
+        const Real spacing = laid.spacing[own];
+        const bool layered = laid.porosity[own] == 1 || laid.snapped[i];
+        fit.slides[i] = layered && standsRight(outside(laid.x[i]), spacing);
         if (laid.parts[own].isBoxes()) continue;
         const Real f = laid.parts[own].distance(laid.x[i]);
-        if (inFirstLayer(f, spacing) && !standsRight(f, spacing)) misfits.add(laid.x[i]);
+        if (laid.snapped[i] || (inFirstLayer(f, spacing) && !standsRight(f, spacing)))
+            misfits.add(laid.x[i]);
     }
     const auto loosen = [&](std::size_t i, const PointGrid& by, Real within) {
         const Index j = by.nearest(laid.x[i], within);
@@ -62,7 +67,8 @@ LatticeFit latticeFit(const LaidPoints& laid, const CaseGeometry& g,
     };
     for (std::size_t i = 0; i < laid.x.size(); ++i) {
         const std::size_t own = laid.part[i];
-        if (!laid.parts[own].isBoxes()) loosen(i, misfits, 2 * reach);
+        const bool inLayer = laid.snapped[i] && fit.slides[i];  // laid evenly: the others give way
+        if (!laid.parts[own].isBoxes() && !inLayer) loosen(i, misfits, 2 * reach);
         for (std::size_t p = 0; p < laid.parts.size(); ++p) {
             const bool alike = laid.parts[p].isBoxes() && laid.porosity[p] == laid.porosity[own];
             if (p != own && !alike) loosen(i, byPart[p], reach);

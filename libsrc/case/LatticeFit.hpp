@@ -10,10 +10,12 @@ struct LaidPoints {
     std::vector<RegionPart> parts;
     std::vector<std::size_t> region;  ///< of each part
     std::vector<Real> porosity;       ///< of each part
+    std::vector<Real> spacing;        ///< of each part's points [m]
     std::vector<Point> x;
     std::vector<std::size_t> part;  ///< of each point
+    std::vector<char> snapped;      ///< left its place in the lattice for a layer beneath a face
 
-    void add(RegionPart p, std::size_t ofRegion, Real eps, const std::vector<Point>& points);
+    void add(RegionPart p, std::size_t ofRegion, Real eps, Real apart, const PartPoints& points);
 };
 
 struct LatticeFit {

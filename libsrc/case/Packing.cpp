@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case/Packing.hpp"
 
+#include "case/FaceLayer.hpp"
 #include "case/PointGrid.hpp"
 #include "case/SoilField.hpp"
 #include "core/Parallel.hpp"
@@ -192,13 +193,15 @@ private:
 
     Point outward(std::size_t i) const
     {
-        Point n;
-        for (int d = 0; d < g_.dimension; ++d) {
-            Point e;
-            e[d] = 1e-3 * d0_;
-            n[d] = task_.own(i, x_[i] + e) - task_.own(i, x_[i] - e);
-        }
-        return unit(n);
+        return steepest([&](const Point& x) { return task_.own(i, x); }, x_[i], g_);
+    }
+
+    /// The move of one that slides: where it ends it is as far from the outside as before.
+    Point alongFace(std::size_t i, const Point& by) const
+    {
+        const Point n = steepest(task_.outside, x_[i], g_);
+        const Point to = x_[i] + by - dot(by, n) * n;
+        return movedToLevel(task_.outside, to, task_.outside(x_[i]), g_) - x_[i];
     }
 
     /// Moves i by `by`, but nearer than `margin` to the faces of its part only along them; one that
@@ -206,10 +209,7 @@ private:
     Point moved(std::size_t i, Point by)
     {
         const Real keep = margin * spacing_[i];
-        if (task_.slides[i]) {
-            const Point n = outward(i);
-            by = by - dot(by, n) * n;
-        }
+        if (task_.slides[i]) by = alongFace(i, by);
         atMost_[i] += norm(by);  // distances change no faster than places
         if (atMost_[i] < -keep) return x_[i] + by;
         const Real before = task_.own(i, x_[i]), after = task_.own(i, x_[i] + by);

@@ -17,7 +17,7 @@ struct PackingTask {
     std::function<Real(std::size_t i, const Point&)> own;
     /// 0: stays where it is, 1: moves freely.
     std::vector<Real> mobility;
-    /// Not 0: moves along the nearest face of its part only.
+    /// Not 0: keeps its distance to the outside.
     std::vector<char> slides;
 };
 

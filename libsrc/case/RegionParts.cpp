@@ -2,6 +2,7 @@
 #include "case/RegionParts.hpp"
 
 #include "case/BoxCells.hpp"
+#include "case/FaceLayer.hpp"
 
 #include <algorithm>
 
@@ -136,34 +137,78 @@ void forEachLatticePoint(const RegionPart& part, const CaseGeometry& g, Real spa
             }
 }
 
-}  // namespace
-
-std::vector<Point> pointsIn(const RegionPart& part, const CaseGeometry& g, std::int64_t count,
-                            Real spacing)
+/// Even in each box; sums are rounded so that all boxes together have the number.
+std::vector<Point> pointsInBoxes(const RegionPart& part, int dimension, std::int64_t count)
 {
     std::vector<Point> points;
-    if (part.isBoxes()) {  // rounded sums, so that all boxes together have the number
-        Real filled = 0;
-        std::int64_t placed = 0;
-        for (const OrientedBox& box : part.boxes) {
-            filled += volumeOf(box, g.dimension) / part.volume * static_cast<Real>(count);
-            const std::int64_t upTo = std::llround(filled);
-            for (const Point& x : fillBox(box, g.dimension, upTo - placed)) points.push_back(x);
-            placed = upTo;
-        }
+    Real filled = 0;
+    std::int64_t placed = 0;
+    for (const OrientedBox& box : part.boxes) {
+        filled += volumeOf(box, dimension) / part.volume * static_cast<Real>(count);
+        const std::int64_t upTo = std::llround(filled);
+        for (const Point& x : fillBox(box, dimension, upTo - placed)) points.push_back(x);
+        placed = upTo;
+    }
+    return points;
+}
+
+struct Candidate {
+    Real distance;
+    Point x;
+};
+
+/// The `count` deepest, in order of depth; of a row of equal depth that is cut, evenly many along
+/// it.
+std::vector<Point> deepest(std::vector<Candidate> candidates, std::size_t count, Real spacing)
+{
+    // round-off must not choose among points of equal depth
+    const auto level = [&](const Candidate& c) {
+        return std::llround(c.distance / (1e-7 * spacing));
+    };
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](const auto& a, const auto& b) { return level(a) < level(b); });
+    count = std::min(count, candidates.size());
+    std::size_t first = count, last = count;  // of the row that is cut
+    while (first > 0 && count < candidates.size() &&
+           level(candidates[first - 1]) == level(candidates[count]))
+        --first;
+    while (last < candidates.size() && level(candidates[last]) == level(candidates[count])) ++last;
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < first; ++i) points.push_back(candidates[i].x);
+    for (std::size_t i = first; i < count; ++i)
+        points.push_back(
+            candidates[first + (2 * (i - first) + 1) * (last - first) / (2 * (count - first))].x);
+    return points;
+}
+
+}  // namespace
+
+PartPoints pointsIn(const RegionPart& part, const CaseGeometry& g, std::int64_t number,
+                    Real spacing, const std::function<Real(const Point&)>& outside)
+{
+    PartPoints points;
+    const auto count = static_cast<std::size_t>(number);
+    if (part.isBoxes()) {
+        points.x = pointsInBoxes(part, g.dimension, number);
+        points.snapped.assign(points.x.size(), 0);
         return points;
     }
-    std::vector<std::pair<Real, Point>> candidates;
+    const FaceLayer layer(g, outside, part.distance, spacing);
+    std::vector<Candidate> others;
     forEachLatticePoint(part, g, spacing, [&](const Point& x) {
         const Real f = part.distance(x);
-        if (f < 1.5 * spacing) candidates.emplace_back(f, x);
+        if (f < 0 && points.x.size() < count && layer.holds(x)) {
+            points.x.push_back(x);
+        } else if (f < 1.5 * spacing) {
+            others.push_back({f, x});
+        }
     });
-    // round-off must not choose among points of equal depth
-    std::stable_sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
-        return std::llround(a.first / (1e-7 * spacing)) < std::llround(b.first / (1e-7 * spacing));
-    });
-    for (std::size_t i = 0; i < std::min(candidates.size(), static_cast<std::size_t>(count)); ++i)
-        points.push_back(candidates[i].second);
+    points.snapped = layer.laid(points.x);
+    for (const Point& x : deepest(others, count - points.x.size(), spacing)) {
+        const bool extra = outside(x) > 0;  // one more than the lattice has inside
+        points.x.push_back(extra ? layer.atDepth(x, 1.25) : x);
+        points.snapped.push_back(extra);
+    }
     return points;
 }
 

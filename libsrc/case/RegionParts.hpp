@@ -26,9 +26,17 @@ std::vector<RegionPart> partsOf(const CaseGeometry& geometry, const Shape& shape
                                 const std::vector<const Shape*>& taken,
                                 const std::vector<const Shape*>& partners);
 
-/// `count` points in the part, even in box parts (see fillBox), else the `count` lattice points at
-/// `spacing` that lie deepest in it.
-std::vector<Point> pointsIn(const RegionPart& part, const CaseGeometry& geometry,
-                            std::int64_t count, Real spacing);
+/// Points of a part and which of them left their place in the lattice for the layer beneath a face.
+struct PartPoints {
+    std::vector<Point> x;
+    std::vector<char> snapped;
+};
+
+/// `count` points in the part, even in box parts (see fillBox). In others those of a lattice at
+/// `spacing` that are less than a spacing beneath an outside face stand in a layer half a spacing
+/// beneath it (FaceLayer), and the deepest others make up the number.
+/// outside: distance to all that is laid together, positive outside.
+PartPoints pointsIn(const RegionPart& part, const CaseGeometry& geometry, std::int64_t count,
+                    Real spacing, const std::function<Real(const Point&)>& outside);
 
 }  // namespace isph

@@ -3,6 +3,7 @@
 
 #include "core/Parallel.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 using namespace isph;
@@ -19,6 +20,22 @@ const std::string turnedTank =
     "water { w { type intersection; shapes {"
     "    t { type box; min (0 0 0); max (0.4 0.6 0); rotation { angle 30; } }"
     "    h { type halfSpace; point (0 0.35 0); normal (0 1 0); } } } }";
+
+/// Depths, in spacings, and places along the face of the particles less than 0.8 spacings beneath
+/// it.
+struct Layer {
+    std::vector<Real> depth, place;
+    Layer(const FilledScene& s, const Point& onFace, const Point& normal, const Point& along)
+    {
+        for (const Point& x : s.water.x) {
+            const Real d = dot(onFace - x, normal) / s.g.spacing;
+            if (d > 0.8) continue;
+            depth.push_back(d);
+            place.push_back(dot(x - onFace, along) / s.g.spacing);
+        }
+        std::sort(place.begin(), place.end());
+    }
+};
 
 }  // namespace
 
@@ -115,6 +132,61 @@ TEST(FillWater, InATankTurnedAgainstTheLatticeParticlesKeepTheirDistances)
         if (s.water.x[i][1] < 0.3) {
             EXPECT_NEAR(sums[i], 1, 0.04) << s.water.x[i][0] << ' ' << s.water.x[i][1];
         }
+}
+
+TEST(FillWater, BeneathASurfaceAtAnAngleToTheLatticeTheFirstLayerIsLevelAndEven)
+{
+    const FilledScene s(
+        "spacing 0.01; dimension 2; domain { min (-0.5 -0.5 0); max (1 1 0); }"
+        "walls { tank { type box; min (0 0 0); max (0.4 0.6 0); open (top); rotation { angle 30; } "
+        "} }"
+        "water { w { type polygon; points ((0 0) (0.4 0) (0.4 0.2) (0 0.2));"
+        "    rotation { angle 30; } } }");
+    const Real c = std::cos(pi / 6), si = std::sin(pi / 6);
+    const Layer layer(s, {{-0.2 * si, 0.2 * c, 0}}, {{-si, c, 0}}, {{c, si, 0}});
+    ASSERT_NEAR(static_cast<Real>(layer.depth.size()), 40, 1);  // its length in spacings
+    for (Real depth : layer.depth) EXPECT_NEAR(depth, 0.5, 1e-6);
+    for (std::size_t i = 2; i + 1 < layer.place.size(); ++i)  // a rounding's room at the walls
+        EXPECT_NEAR(layer.place[i] - layer.place[i - 1], 1, 0.1);
+    EXPECT_GT(nearestPair(s.g, s.water.x), 0.6 * 0.01);
+}
+
+TEST(FillWater, ALevelBetweenTwoRowsOfTheLatticeIsLevelAndItsRowsEven)
+{
+    for (const std::string level : {"0.203", "0.207"}) {  // three tenths of a row too many, too few
+        const FilledScene s(tank("0.01", "water { w { type polygon; points ((0 0) (1 0) (1 " +
+                                             level + ") (0 " + level + ")); } }"));
+        const Layer layer(s, {{0, std::stod(level), 0}}, {{0, 1, 0}}, {{1, 0, 0}});
+        EXPECT_EQ(layer.depth.size(), 100u);
+        for (Real depth : layer.depth) EXPECT_NEAR(depth, 0.5, 1e-6);
+        // a row of 0.3 or 0.7 at once, cut off at its end, leaves 7 %
+        const std::vector<Real> sums = s.kernelSums();
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            if (s.water.x[i][1] < std::stod(level) - 0.04) {
+                EXPECT_NEAR(sums[i], 1, 0.02) << s.water.x[i][0] << ' ' << s.water.x[i][1];
+            }
+    }
+}
+
+TEST(FillWater, InThreeDimensionsALayerLiesBeneathAnObliqueSurfaceToo)
+{
+    const FilledScene s(
+        "spacing 0.01; dimension 3; domain { min (-0.2 -0.2 -0.2); max (0.4 0.4 0.4); }"
+        "water { w { type intersection; shapes {"
+        "    b { type box; min (0 0 0); max (0.16 0.16 0.2); }"
+        "    h { type halfSpace; point (0.08 0.08 0.08); normal (0 0.5 0.8660254037844386); } } } "
+        "}");
+    const Point normal{{0, 0.5, std::sqrt(0.75)}};
+    int number = 0;
+    for (const Point& x : s.water.x) {
+        const Real depth = dot(Point{{0.08, 0.08, 0.08}} - x, normal) / 0.01;
+        const bool besideASide = std::max(std::fabs(x[0] - 0.08), std::fabs(x[1] - 0.08)) > 0.06;
+        if (depth > 0.8 || besideASide) continue;
+        EXPECT_NEAR(depth, 0.5, 1e-6);
+        ++number;
+    }
+    EXPECT_NEAR(number, 12 * 12 / std::sqrt(0.75), 12);  // a row more or less
+    EXPECT_GT(nearestPair(s.g, s.water.x), 0.55 * 0.01);
 }
 
 TEST(FillWater, AroundACircleTheNumberFollowsTheArea)
