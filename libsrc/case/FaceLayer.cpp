@@ -2,6 +2,7 @@
 #include "case/FaceLayer.hpp"
 
 #include "case/PointGrid.hpp"
+#include "case/SoilField.hpp"
 #include "core/Parallel.hpp"
 
 #include <algorithm>
