@@ -11,7 +11,7 @@ constexpr Real kLeastCells = 4096;
 }  // namespace
 
 template <int Dim>
-void CellGrid<Dim>::build(Span<const Vec<Dim>> x, Real edge)
+void CellGrid<Dim>::build(Span<const Vec<Dim>> x, Real edge, int slices)
 {
     point_.resize(x.size());
     cell_.resize(x.size());
@@ -26,18 +26,19 @@ void CellGrid<Dim>::build(Span<const Vec<Dim>> x, Real edge)
             low[d] = std::min(low[d], p[d]);
             high[d] = std::max(high[d], p[d]);
         }
-    origin_ = low;
-    edge_ = edge;
+    for (int d = 0; d < Dim; ++d) edge_[d] = edge;
+    edge_[0] /= slices;
     const Real most = std::max(kLeastCells, kCellsPerPoint * static_cast<Real>(x.size()));
     for (;; edge_ *= 1.5) {
         Real cells = 1;
-        for (int d = 0; d < Dim; ++d) cells *= std::floor((high[d] - low[d]) / edge_) + 1;
+        for (int d = 0; d < Dim; ++d) cells *= std::floor((high[d] - low[d]) / edge_[d]) + 2;
         if (cells <= most) break;
     }
-    inverseEdge_ = 1 / edge_;
     Index cells = 1;
     for (int d = 0; d < Dim; ++d) {
-        count_[d] = static_cast<Index>((high[d] - low[d]) * inverseEdge_) + 1;
+        inverseEdge_[d] = 1 / edge_[d];
+        origin_[d] = std::floor(low[d] * inverseEdge_[d]) * edge_[d];
+        count_[d] = static_cast<Index>((high[d] - origin_[d]) * inverseEdge_[d]) + 1;
         cells *= count_[d];
     }
     parallelFor(x.size(), [&](Index i) {
@@ -45,11 +46,10 @@ void CellGrid<Dim>::build(Span<const Vec<Dim>> x, Real edge)
         for (int d = Dim - 2; d >= 0; --d) c = c * count_[d] + cellOf(x[i][d], d);
         cell_[i] = c;
     });
-    start_.assign(cells + 1, 0);
-    for (const Index c : cell_) ++start_[c + 1];
-    for (Index c = 0; c < cells; ++c) start_[c + 1] += start_[c];
-    std::vector<Index> next(start_.begin(), start_.end() - 1);
-    for (std::size_t i = 0; i < x.size(); ++i) point_[next[cell_[i]]++] = static_cast<Index>(i);
+    start_.assign(cells + 2, 0);   // counted one place ahead, so that filling moves it into place
+    for (const Index c : cell_) ++start_[c + 2];
+    for (Index c = 0; c < cells; ++c) start_[c + 2] += start_[c + 1];
+    for (std::size_t i = 0; i < x.size(); ++i) point_[start_[cell_[i] + 1]++] = static_cast<Index>(i);
 }
 
 template class CellGrid<2>;

@@ -2,47 +2,213 @@
 #include "neighbours/PairList.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isph {
 
 namespace {
-/// What one block of rows found, kept until the lengths of all blocks are known.
-struct Block {
-    std::vector<Index> j;
-    std::vector<Real> W, slope;
-};
-constexpr Index kBlockRows = 256;
+/// Cells as wide as the support hold the points near a particle in 3^(D-1) runs; short ones end them close
+/// to the support, so that a third (2-D: half) of the points looked at are partners.
+constexpr int kSlices = 4;
+/// Steps of the cell edge in an octave. A widest h that changes a little leaves the cells, and with them
+/// the order of sorted particles, as they are.
+constexpr Real kEdgeSteps = 4;
+/// More room than a block of rows takes, so that it rarely moves.
+constexpr Real kRoom = 1.05;
+/// Rows with more places out of order than this share are sorted as a whole, not place by place.
+constexpr Index kNearlySorted = 8;
 }  // namespace
 
-/// Appends the partners of i, ascending, with q = |x_ij|/h_ij, W and slope.
+/// Finds the partners of one particle after the other; its arrays hold the row at hand.
 template <int Dim>
-void PairList<Dim>::fillRow(Index i, const Kernel& kernel, std::vector<Index>& j, std::vector<Real>& q,
-                            std::vector<Real>& W, std::vector<Real>& slope) const
+class PairList<Dim>::RowSearch {
+public:
+    RowSearch(const PairList& list, const Kernel& kernel) : list_(list), kernel_(kernel) {}
+
+    void find(Index i);
+
+    Index size() const { return size_; }
+    Index water() const { return water_; }
+    const Index* j() const { return j_.data(); }
+    const float* W() const { return W_.data(); }
+    const float* slope() const { return slope_.data(); }
+
+private:
+    void near(Index i);
+    void inOrder(Index i);
+    void ascend(Index first, Index last);
+    void evaluate(Index i);
+    void reserve(std::size_t n)
+    {
+        if (hit_.size() >= n) return;
+        n += n / 2;
+        hit_.resize(n), place_.resize(n), j_.resize(n), W_.resize(n), slope_.resize(n);
+        q_.resize(n), h_.resize(n), w_.resize(n), s_.resize(n);
+    }
+
+    const PairList& list_;
+    const Kernel& kernel_;
+    Index size_ = 0, water_ = 0;
+    std::vector<Index> hit_, place_, j_;   ///< places in the order of cells: as found, as listed; numbers
+    std::vector<std::uint64_t> key_;
+    std::vector<Real> q_, h_, w_, s_;
+    std::vector<float> W_, slope_;
+};
+
+template <int Dim>
+void PairList<Dim>::RowSearch::find(Index i)
 {
-    const Points<Dim>& points = *points_;
-    const Vec<Dim> xi = points.x[i];
-    const Real hi = points.h[i];
-    const std::size_t first = j.size();
-    const Real reach = support_ * Real(0.5) * (hi + largestH_);
-    grid_.forEachNear(xi, reach, [&](Index k) {
-        const Real r2 = normSqr(xi - points.x[k]);
-        const Real limit = support_ * Real(0.5) * (hi + points.h[k]);
-        if (r2 < limit * limit && k != i) j.push_back(k);
+    near(i);
+    inOrder(i);
+    evaluate(i);
+}
+
+/// hit_: places of all points within the support, i itself among them.
+template <int Dim>
+void PairList<Dim>::RowSearch::near(Index i)
+{
+    const Vec<Dim> xi = list_.points_->x[i];
+    const Real half = Real(0.5) * list_.support_, hi = list_.points_->h[i];
+    std::array<const Real*, Dim> x;
+    for (int d = 0; d < Dim; ++d) x[d] = list_.cellX_[d].data();
+    const Real* h = list_.cellH_.data();
+    size_ = 0;
+    list_.grid_.forEachRun(xi, half * (hi + list_.largestH_), [&](Index first, Index last) {
+        Index n = size_;
+        reserve(n + last - first + kLanes);
+        Index* hit = hit_.data();
+        for (Index k = first; k < last; k += kLanes) {
+            std::array<Real, kLanes> beyond;   // |x_ij|^2 - (support h_ij)^2
+            for (Index l = 0; l < kLanes; ++l) {
+                Real r2 = 0;
+                for (int d = 0; d < Dim; ++d) r2 += sqr(xi[d] - x[d][k + l]);
+                beyond[l] = k + l < last ? r2 - sqr(half * (hi + h[k + l])) : 1;
+            }
+            for (Index l = 0; l < kLanes; ++l) {
+                hit[n] = k + l;
+                n += beyond[l] < 0;
+            }
+        }
+        size_ = n;
     });
-    std::sort(j.begin() + first, j.end());
-    const std::size_t n = j.size() - first;
-    q.resize(n);
-    W.resize(first + n);
-    slope.resize(first + n);
-    for (std::size_t k = 0; k < n; ++k)
-        q[k] = norm(xi - points.x[j[first + k]]) / (Real(0.5) * (hi + points.h[j[first + k]]));
-    const Span<Real> rowW(W.data() + first, n), rowSlope(slope.data() + first, n);
-    kernel.evaluate(q, rowW, rowSlope);
-    for (std::size_t k = 0; k < n; ++k) {
-        const Real h = Real(0.5) * (hi + points.h[j[first + k]]);
-        const Real scale = sigma_ / power(h);
-        rowW[k] *= scale;
-        rowSlope[k] *= scale / (h * h);
+}
+
+/// place_ and j_: the partners without i itself, water first, each part ascending.
+template <int Dim>
+void PairList<Dim>::RowSearch::inOrder(Index i)
+{
+    const Index* order = list_.grid_.order().data();
+    const Index fluid = list_.points_->fluid, found = size_;
+    const auto take = [&](auto&& wanted, Index n) {
+        for (Index k = 0; k < found; ++k) {
+            const Index j = order[hit_[k]];
+            place_[n] = hit_[k], j_[n] = j;
+            n += wanted(j);
+        }
+        return n;
+    };
+    water_ = take([&](Index j) { return (j < fluid) & (j != i); }, 0);
+    size_ = water_ + 1 < found ? take([&](Index j) { return j >= fluid; }, water_) : water_;
+    ascend(0, water_);
+    ascend(water_, size_);
+}
+
+/// Sorted particles are found in their order but for the few that have changed cells since.
+template <int Dim>
+void PairList<Dim>::RowSearch::ascend(Index first, Index last)
+{
+    Index descents = 0;
+    for (Index k = first + 1; k < last; ++k) descents += j_[k] < j_[k - 1];
+    if (descents == 0) return;
+    key_.resize(last - first);
+    for (Index k = first; k < last; ++k)
+        key_[k - first] = static_cast<std::uint64_t>(j_[k]) << 32 | static_cast<std::uint32_t>(place_[k]);
+    if (kNearlySorted * descents > last - first) {
+        std::sort(key_.begin(), key_.end());
+    } else {
+        for (Index k = 1; k < last - first; ++k) {
+            const std::uint64_t key = key_[k];
+            Index m = k;
+            for (; m > 0 && key_[m - 1] > key; --m) key_[m] = key_[m - 1];
+            key_[m] = key;
+        }
+    }
+    for (Index k = first; k < last; ++k) {
+        j_[k] = static_cast<Index>(key_[k - first] >> 32);
+        place_[k] = static_cast<Index>(key_[k - first] & 0xFFFFFFFFU);
+    }
+}
+
+/// W_ and slope_ of the partners.
+template <int Dim>
+void PairList<Dim>::RowSearch::evaluate(Index i)
+{
+    const Vec<Dim> xi = list_.points_->x[i];
+    const Real hi = list_.points_->h[i], sigma = list_.sigma_;
+    for (Index k = 0; k < size_; ++k) {
+        Real r2 = 0;
+        for (int d = 0; d < Dim; ++d) r2 += sqr(xi[d] - list_.cellX_[d][place_[k]]);
+        q_[k] = r2;
+        h_[k] = list_.cellH_[place_[k]];
+    }
+    Real *q = q_.data(), *h = h_.data();
+    const Real *w = w_.data(), *s = s_.data();
+    float *W = W_.data(), *slope = slope_.data();
+#pragma omp simd
+    for (Index k = 0; k < size_; ++k) {
+        h[k] = 1 / (Real(0.5) * (hi + h[k]));
+        q[k] = std::sqrt(q[k]) * h[k];
+    }
+    const std::size_t n = size_;
+    kernel_.evaluate({q, n}, {w_.data(), n}, {s_.data(), n});
+#pragma omp simd
+    for (Index k = 0; k < size_; ++k) {
+        const Real scale = sigma * power(h[k]);
+        W[k] = static_cast<float>(w[k] * scale);
+        slope[k] = static_cast<float>(s[k] * scale * (h[k] * h[k]));
+    }
+}
+
+template <int Dim>
+void PairList<Dim>::binByCells(Span<const Vec<Dim>> x, Real reach, CellGrid<Dim>& grid)
+{
+    grid.build(x, std::exp2(std::round(kEdgeSteps * std::log2(reach)) / kEdgeSteps), kSlices);
+}
+
+/// cellX_ and cellH_, with places behind their end that a last group of kLanes may read.
+template <int Dim>
+void PairList<Dim>::sortByCells()
+{
+    const std::size_t n = points_->x.size();
+    for (std::vector<Real>& x : cellX_) x.resize(n + kLanes, 0);
+    cellH_.resize(n + kLanes, 0);
+    parallelFor(n, [&](Index k) {
+        const Index j = grid_.order()[k];
+        for (int d = 0; d < Dim; ++d) cellX_[d][k] = points_->x[j][d];
+        cellH_[k] = points_->h[j];
+    });
+}
+
+template <int Dim>
+void PairList<Dim>::fillBlock(Index b, RowSearch& search)
+{
+    Block& block = block_[b];
+    block.j.clear(), block.W.clear(), block.slope.clear();
+    const Index first = b * kBlockRows, last = std::min(points_->water, first + kBlockRows);
+    for (Index i = first; i < last; ++i) {
+        search.find(i);
+        const std::size_t begin = block.j.size(), end = begin + search.size();
+        if (end > block.j.capacity()) {
+            const Real rows = static_cast<Real>(last - first) / static_cast<Real>(i + 1 - first);
+            const auto room = static_cast<std::size_t>(kRoom * rows * static_cast<Real>(end)) + search.size();
+            block.j.reserve(room), block.W.reserve(room), block.slope.reserve(room);
+        }
+        block.j.insert(block.j.end(), search.j(), search.j() + search.size());
+        block.W.insert(block.W.end(), search.W(), search.W() + search.size());
+        block.slope.insert(block.slope.end(), search.slope(), search.slope() + search.size());
+        row_[i].start = static_cast<Index>(begin);
+        row_[i].wallStart = static_cast<Index>(begin) + search.water();
+        row_[i].end = static_cast<Index>(end);
     }
 }
 
@@ -57,41 +223,25 @@ void PairList<Dim>::build(const Points<Dim>& points, const Kernel& kernel)
     Real w0 = 0, s0 = 0;
     kernel.evaluate(Span<const Real>(&zero, 1), Span<Real>(&w0, 1), Span<Real>(&s0, 1));
     selfW0_ = sigma_ * w0;
-    grid_.build(points.x, support_ * largestH_);
-
-    const Index rows = points.water;
-    start_.assign(rows + 1, 0);
-    wallStart_.assign(rows, 0);
-    const Index blocks = (rows + kBlockRows - 1) / kBlockRows;
-    std::vector<Block> found(blocks);
+    binByCells(points.x, reach(), grid_);
+    sortByCells();
+    const Index blocks = (points.water + kBlockRows - 1) / kBlockRows;
+    row_.resize(points.water);
+    block_.resize(blocks);
 #pragma omp parallel
     {
-        std::vector<Real> q;
-#pragma omp for schedule(dynamic, 4)
-        for (Index b = 0; b < blocks; ++b) {
-            Block& block = found[b];
-            for (Index i = b * kBlockRows; i < std::min(rows, (b + 1) * kBlockRows); ++i) {
-                const std::size_t before = block.j.size();
-                fillRow(i, kernel, block.j, q, block.W, block.slope);
-                start_[i + 1] = static_cast<PairIndex>(block.j.size() - before);
-                wallStart_[i] = std::lower_bound(block.j.begin() + before, block.j.end(), points.fluid)
-                              - block.j.begin() - static_cast<std::ptrdiff_t>(before);
-            }
-        }
+        RowSearch search(*this, kernel);
+#pragma omp for schedule(dynamic, 1)
+        for (Index b = 0; b < blocks; ++b) fillBlock(b, search);
     }
-    for (Index i = 0; i < rows; ++i) {
-        wallStart_[i] += start_[i];
-        start_[i + 1] += start_[i];
-    }
-    j_.resize(start_[rows]);
-    W_.resize(j_.size());
-    slope_.resize(j_.size());
-    parallelFor(blocks, [&](Index b) {
-        const PairIndex at = start_[b * kBlockRows];
-        std::copy(found[b].j.begin(), found[b].j.end(), j_.begin() + at);
-        std::copy(found[b].W.begin(), found[b].W.end(), W_.begin() + at);
-        std::copy(found[b].slope.begin(), found[b].slope.end(), slope_.begin() + at);
-    });
+}
+
+template <int Dim>
+PairIndex PairList<Dim>::size() const
+{
+    PairIndex pairs = 0;
+    for (const Row& row : row_) pairs += row.end - row.start;
+    return pairs;
 }
 
 template class PairList<2>;

@@ -3,6 +3,7 @@
 #pragma once
 #include "kernels/Kernel.hpp"
 #include "neighbours/CellGrid.hpp"
+#include "neighbours/PairBatch.hpp"
 #include "particles/Points.hpp"
 
 #include <vector>
@@ -11,6 +12,8 @@ namespace isph {
 
 /// Rows of water particles. Within a row the partners ascend, so water (and its images) comes first and
 /// walls follow. Only partners with |x_ij| < support of h_ij = (h_i + h_j)/2 are listed, i not with itself.
+/// A pair takes 12 bytes: kernel and slope are in single precision, the same from both sides of a pair,
+/// so that sums over pairs cancel as they should; x_ij is cheaper to compute than to load.
 template <int Dim>
 class PairList {
 public:
@@ -24,23 +27,47 @@ public:
         Vec<Dim> gradW() const { return slope * x_ij; }
     };
 
+    /// Its arrays are used again from build to build.
     void build(const Points<Dim>& points, const Kernel& kernel);
 
     /// f(pair) over the water partners of i, its wall partners, or both.
     template <class F>
-    void forWater(Index i, F&& f) const { loop(i, start_[i], wallStart_[i], f); }
+    void forWater(Index i, F&& f) const { loop(i, row_[i].start, row_[i].wallStart, f); }
     template <class F>
-    void forWalls(Index i, F&& f) const { loop(i, wallStart_[i], start_[i + 1], f); }
+    void forWalls(Index i, F&& f) const { loop(i, row_[i].wallStart, row_[i].end, f); }
     template <class F>
-    void forAll(Index i, F&& f) const { loop(i, start_[i], start_[i + 1], f); }
+    void forAll(Index i, F&& f) const { loop(i, row_[i].start, row_[i].end, f); }
 
-    PairIndex size() const { return start_.empty() ? 0 : start_.back(); }
-    PairIndex waterNeighbours(Index i) const { return wallStart_[i] - start_[i]; }
+    /// f(batch) over groups of water partners of i, or of wall partners: the same pairs in the same order.
+    template <class F>
+    void forWaterBatches(Index i, F&& f) const { loopBatches(i, row_[i].start, row_[i].wallStart, f); }
+    template <class F>
+    void forWallBatches(Index i, F&& f) const { loopBatches(i, row_[i].wallStart, row_[i].end, f); }
+
+    PairIndex size() const;
+    PairIndex waterNeighbours(Index i) const { return row_[i].wallStart - row_[i].start; }
+    PairIndex wallNeighbours(Index i) const { return row_[i].end - row_[i].wallStart; }
     /// W_ii
     Real selfW(Index i) const { return selfW0_ / power((*points_).h[i]); }
     const CellGrid<Dim>& grid() const { return grid_; }
+    /// The largest distance of a pair: the support of the widest point [m].
+    Real reach() const { return support_ * largestH_; }
+    /// Bins points into the cells of a search within `reach`. Particles in the order of these cells have
+    /// their partners in few runs of memory.
+    static void binByCells(Span<const Vec<Dim>> x, Real reach, CellGrid<Dim>& grid);
 
 private:
+    struct Row {
+        Index start, wallStart, end;   ///< places in the row's block
+    };
+    /// Pairs of kBlockRows rows.
+    struct Block {
+        std::vector<Index> j;
+        std::vector<float> W, slope;
+    };
+    class RowSearch;
+    static constexpr Index kBlockRows = 256;
+
     static Real power(Real h)
     {
         Real p = h;
@@ -48,22 +75,52 @@ private:
         return p;
     }
     template <class F>
-    void loop(Index i, PairIndex from, PairIndex to, F&& f) const
+    void loop(Index i, Index from, Index to, F&& f) const
     {
+        const Block& block = block_[i / kBlockRows];
+        const Index* j = block.j.data();
+        const float *W = block.W.data(), *slope = block.slope.data();
         const auto* x = points_->x.data();
         const Vec<Dim> xi = x[i];
-        for (PairIndex k = from; k < to; ++k)
-            f(Pair{j_[k], W_[k], slope_[k], xi - x[j_[k]]});
+        for (Index k = from; k < to; ++k) f(Pair{j[k], W[k], slope[k], xi - x[j[k]]});
     }
-    void fillRow(Index i, const Kernel& kernel, std::vector<Index>& j, std::vector<Real>& q,
-                 std::vector<Real>& W, std::vector<Real>& slope) const;
+    template <class F>
+    void loopBatches(Index i, Index from, Index to, F&& f) const
+    {
+        const Block& block = block_[i / kBlockRows];
+        const Index* j = block.j.data();
+        const float *W = block.W.data(), *slope = block.slope.data();
+        const auto* x = points_->x.data();
+        const Vec<Dim> xi = x[i];
+        PairBatch<Dim> batch;
+        for (Index first = from; first < to; first += PairBatch<Dim>::kMost) {
+            const Index n = std::min(PairBatch<Dim>::kMost, to - first);
+            for (Index k = 0; k < n; ++k) {
+                batch.j[k] = j[first + k];
+                const Vec<Dim> xj = x[j[first + k]];
+                for (int d = 0; d < Dim; ++d) batch.x[d][k] = xi[d] - xj[d];
+            }
+            for (Index k = 0; k < n; ++k) batch.W[k] = W[first + k], batch.slope[k] = slope[first + k];
+            batch.count = n;
+            batch.size = (n + kLanes - 1) / kLanes * kLanes;
+            for (Index k = n; k < batch.size; ++k) {
+                batch.j[k] = i;
+                batch.W[k] = batch.slope[k] = 0;
+                for (int d = 0; d < Dim; ++d) batch.x[d][k] = 0;
+            }
+            f(batch);
+        }
+    }
+    void sortByCells();
+    void fillBlock(Index b, RowSearch& search);
 
     const Points<Dim>* points_ = nullptr;
     CellGrid<Dim> grid_;
+    std::array<std::vector<Real>, Dim> cellX_;   ///< coordinates of all points in the order of the cells
+    std::vector<Real> cellH_;                    ///< their h
     Real support_ = 0, sigma_ = 0, selfW0_ = 0, largestH_ = 0;
-    std::vector<PairIndex> start_, wallStart_;
-    std::vector<Index> j_;
-    std::vector<Real> W_, slope_;
+    std::vector<Row> row_;
+    std::vector<Block> block_;
 };
 
 extern template class PairList<2>;

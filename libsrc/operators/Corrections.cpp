@@ -9,11 +9,61 @@ namespace {
 // A flat surface has a smallest eigenvalue near 0.5, splashes below 0.2 (numerical experiments with
 // Wendland C2, h = 1.5 d0).
 constexpr Real kBlendFrom = 0.10, kBlendTo = 0.25;
+
+/// Whether all eigenvalues of the symmetric A exceed e: A - e I has positive leading minors.
+inline bool exceeds(Mat<2> A, Real e)
+{
+    A[0][0] -= e, A[1][1] -= e;
+    return A[0][0] > 0 && determinant(A) > 0;
+}
+inline bool exceeds(Mat<3> A, Real e)
+{
+    for (int d = 0; d < 3; ++d) A[d][d] -= e;
+    return A[0][0] > 0 && A[0][0] * A[1][1] > A[0][1] * A[1][0] && determinant(A) > 0;
+}
+
+/// Sums over the pairs of a row, those of every lane apart.
+template <int Dim>
+struct Moments {
+    std::array<std::array<Lanes, Dim>, Dim> outer{};   ///< sum V slope x_ij x_ij, its lower half
+    std::array<Lanes, Dim> side{};                     ///< sum V slope x_ij
+    Lanes fill{};                                      ///< sum V W
+
+    void add(const PairBatch<Dim>& batch, const BatchValues& volume)
+    {
+        for (Index k = 0; k < batch.size; k += kLanes) {
+            const Lanes V = volume.lanes(k), weight = V * loadLanes(&batch.slope[k]);
+            fill += V * loadLanes(&batch.W[k]);
+            std::array<Lanes, Dim> x;
+            for (int r = 0; r < Dim; ++r) {
+                x[r] = loadLanes(&batch.x[r][k]);
+                const Lanes weighted = weight * x[r];
+                side[r] += weighted;
+                for (int c = 0; c <= r; ++c) outer[r][c] += weighted * x[c];
+            }
+        }
+    }
+    /// A of (2.9)
+    Mat<Dim> matrix() const
+    {
+        Mat<Dim> A;
+        for (int r = 0; r < Dim; ++r)
+            for (int c = 0; c <= r; ++c) A[r][c] = A[c][r] = -sumOf(outer[r][c]);
+        return A;
+    }
+    Vec<Dim> lopsided() const
+    {
+        Vec<Dim> T;
+        for (int d = 0; d < Dim; ++d) T[d] = -2 * sumOf(side[d]);
+        return T;
+    }
+};
 }  // namespace
 
 template <int Dim>
 Mat<Dim> blendedInverse(const Mat<Dim>& A)
 {
+    if (exceeds(A, kBlendTo)) return inverse(A);
     const Real e = smallestEigenvalue(A);
     const Real weight = std::clamp((e - kBlendFrom) / (kBlendTo - kBlendFrom), Real(0), Real(1));
     if (weight == 0) return Mat<Dim>::identity();
@@ -27,24 +77,25 @@ void Corrections<Dim>::compute(const Points<Dim>& points, const PairList<Dim>& p
     lambda.resize(points.fluid), lambdaWater.resize(points.fluid);
     filling.resize(n), L.resize(n), Lwater.resize(n), seen.resize(n), lopsided.resize(n);
     parallelForDynamic(n, [&](Index i) {
-        Mat<Dim> A;
-        Vec<Dim> side;
-        Real fill = points.volume[i] * pairs.selfW(i);
-        const auto add = [&](const auto& pair) {
-            const Real V = points.volume[pair.j];
-            A += (-V * pair.slope) * outer(pair.x_ij, pair.x_ij);
-            side += V * pair.F() * pair.x_ij;
-            fill += V * pair.W;
+        Moments<Dim> moments;
+        const auto add = [&](const auto& batch) {
+            BatchValues volume;
+            volume.gather(batch, [&](Index j) { return points.volume[j]; });
+            moments.add(batch, volume);
         };
-        pairs.forWater(i, add);
-        Lwater[i] = blendedInverse(A);
+        pairs.forWaterBatches(i, add);
+        Mat<Dim> A = moments.matrix();
+        L[i] = Lwater[i] = blendedInverse(A);
         lambdaWater[i] = trace(A);
-        pairs.forWalls(i, add);
-        L[i] = blendedInverse(A);
-        seen[i] = L[i] * A;
+        if (pairs.wallNeighbours(i) > 0) {
+            pairs.forWallBatches(i, add);
+            A = moments.matrix();
+            L[i] = blendedInverse(A);
+        }
+        seen[i] = exceeds(A, kBlendTo) ? Mat<Dim>::identity() : L[i] * A;
         lambda[i] = trace(A);
-        filling[i] = fill;
-        lopsided[i] = side;
+        filling[i] = points.volume[i] * pairs.selfW(i) + sumOf(moments.fill);
+        lopsided[i] = moments.lopsided();
     });
     points.refresh(lambda), points.refresh(lambdaWater);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/StrainRate.hpp"
 
+#include "operators/Gradient.hpp"
+
 #include <cmath>
 
 namespace isph {
@@ -11,11 +13,7 @@ void strainRate(const Points<Dim>& points, const PairList<Dim>& pairs, const Cor
 {
     rate.resize(points.water);
     parallelForDynamic(points.water, [&](Index i) {
-        Mat<Dim> sum;
-        pairs.forWater(i, [&](const auto& pair) {
-            sum += outer(points.volume[pair.j] * (u[pair.j] - u[i]), pair.gradW());
-        });
-        const Mat<Dim> gradU = sum * corrections.Lwater[i];
+        const Mat<Dim> gradU = pairGradient(points, pairs, u, i) * corrections.Lwater[i];
         const Mat<Dim> S = Real(0.5) * (gradU + transpose(gradU));
         Real SS = 0;
         for (int d = 0; d < Dim; ++d) SS += dot(S[d], S[d]);

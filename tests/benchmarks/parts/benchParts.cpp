@@ -22,6 +22,8 @@ template <int Dim>
 struct Tank {
     explicit Tank(Real particles) : scene(filled(particles))
     {
+        bin(scene.water.x);
+        scene.water.reorder(grid.order());
         layAndDry(), pairs(), corrections(), surface(), predictor(), assembly();
     }
 
@@ -48,7 +50,11 @@ struct Tank {
                        scheme.spacing, scheme.h0, scene.kernel->supportRadius(), fields.points);
         dryWalls(scene.wallCloud, scheme.spacing, scheme.h0, fields.points);
     }
-    void cells() { grid.build(fields.points.x, scene.kernel->supportRadius() * scene.scheme.h0); }
+    void bin(Span<const Vec<Dim>> x)
+    {
+        PairList<Dim>::binByCells(x, scene.kernel->supportRadius() * scene.scheme.h0, grid);
+    }
+    void cells() { bin(fields.points.x); }
     void pairs() { fields.pairs.build(fields.points, *scene.kernel); }
     void corrections() { fields.corrections.compute(fields.points, fields.pairs); }
     void surface()

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gradient of a vector field from water partners, without its correction.
+#pragma once
+#include "neighbours/PairList.hpp"
+
+namespace isph {
+
+/// Sum over the pairs of a row of a (x) b, those of every lane apart.
+template <int Dim>
+struct OuterSum {
+    std::array<std::array<Lanes, Dim>, Dim> sum{};
+
+    void add(const std::array<Lanes, Dim>& a, const std::array<Lanes, Dim>& b)
+    {
+        for (int r = 0; r < Dim; ++r)
+            for (int c = 0; c < Dim; ++c) sum[r][c] += a[r] * b[c];
+    }
+    Mat<Dim> total() const
+    {
+        Mat<Dim> m;
+        for (int r = 0; r < Dim; ++r)
+            for (int c = 0; c < Dim; ++c) m[r][c] = sumOf(sum[r][c]);
+        return m;
+    }
+};
+
+/// sum_j V_j (u_j - u_i) (x) gradW_ij over water partners; row d is that of component d. Multiplied by
+/// Lwater_i it is the gradient, exact for linear u.                                  [theory (2.10)]
+template <int Dim>
+Mat<Dim> pairGradient(const Points<Dim>& points, const PairList<Dim>& pairs, Span<const Vec<Dim>> u, Index i)
+{
+    OuterSum<Dim> sum;
+    const Vec<Dim> u_i = u[i];
+    pairs.forWaterBatches(i, [&](const PairBatch<Dim>& batch) {
+        BatchValues volume;
+        std::array<BatchValues, Dim> difference;
+        volume.gather(batch, [&](Index j) { return points.volume[j]; });
+        for (int d = 0; d < Dim; ++d) difference[d].gather(batch, [&](Index j) { return u[j][d] - u_i[d]; });
+        for (Index k = 0; k < batch.size; k += kLanes) {
+            const Lanes weight = volume.lanes(k) * loadLanes(&batch.slope[k]);
+            std::array<Lanes, Dim> change, x;
+            for (int d = 0; d < Dim; ++d) {
+                change[d] = weight * difference[d].lanes(k);
+                x[d] = loadLanes(&batch.x[d][k]);
+            }
+            sum.add(change, x);
+        }
+    });
+    return sum.total();
+}
+
+}  // namespace isph
