@@ -175,7 +175,8 @@ Scene<Dim> readScene(const CaseFiles& files, const TimeFolder& start)
     scene.wallCloud = WallCloud<Dim>(scene.walls, scene.box, reach + scene.scheme.spacing);
     readFriction(files, scene.walls.names, scene.wallCloud);
     readSoil(files, scene);
-    if (readTimeState(start).index == 0) sortParticles(scene);   // later ones are written sorted
+    if (readTimeState(start).index == 0)   // later ones are written sorted
+        sortParticles(scene, scene.kernel->supportRadius() * scene.scheme.h0);
     scene.solver = PressureSolver::select(files.solution.subDict("pressure"));
     if (files.turbulence.found("turbulenceModel")) {
         scene.turbulence = TurbulenceModel::select(files.turbulence);

@@ -20,6 +20,9 @@ namespace isph {
 
 namespace {
 
+/// Steps from one sorting of the particles to the next: the swiftest cross a few cells in them.
+constexpr int kSortInterval = 20;
+
 template <int Dim>
 std::unique_ptr<ProjectionStep<Dim>> makeStep(const CaseFiles& files, Scene<Dim>& scene, Timers& timers)
 {
@@ -95,6 +98,7 @@ private:
         time_.advance();
         if (!time_.adjustTimeStep()) requireStableStep<Dim>(scene_.scheme, time_.deltaT(), perTime.max, eddyViscosity);
         logStepStart(time_, perTime.mean * time_.deltaT(), perTime.max * time_.deltaT());
+        if (time_.index() % kSortInterval == 0) sort();
         const StepReport report = step_->advance(time_.deltaT(), dtOld);
         if (erosion_) erode();
         requireFinite(scene_.water, time_.value(), time_.deltaT());
@@ -122,11 +126,16 @@ private:
         info("Erosion: {} particles released, {} released so far", report.released, report.moving);
     }
 
+    void sort()
+    {
+        sortParticles(scene_, step_->fields().pairs.reach());
+        scene_.solver->forget();   // what it keeps belongs to rows of other particles
+    }
+
     void write()
     {
         const auto timer = timers_.scope("output");
-        sortParticles(scene_);
-        scene_.solver->forget();
+        sort();
         step_->look();
         const Real spacing = scene_.scheme.spacing;
         const ParticleFile water = waterFile(scene_, step_->fields()), walls = fileOf(scene_.walls, spacing),

@@ -39,10 +39,10 @@ void requireApart(const Scene<Dim>& scene, const std::filesystem::path& file)
 }
 
 template <int Dim>
-void sortParticles(Scene<Dim>& scene)
+void sortParticles(Scene<Dim>& scene, Real reach)
 {
     CellGrid<Dim> grid;
-    grid.build(scene.water.x, scene.kernel->supportRadius() * scene.scheme.h0);
+    PairList<Dim>::binByCells(scene.water.x, reach, grid);
     scene.water.reorder(grid.order());
 }
 
@@ -78,7 +78,7 @@ std::vector<Real> pressure(const Scene<Dim>& scene)
 #define ISPH_INSTANTIATE(Dim)                                                                      \
     template void takeParticles(const std::map<std::string, ParticleFile>&, Scene<Dim>&);          \
     template void requireApart(const Scene<Dim>&, const std::filesystem::path&);                   \
-    template void sortParticles(Scene<Dim>&);                                                      \
+    template void sortParticles(Scene<Dim>&, Real);                                                \
     template ParticleFile waterFile(const Scene<Dim>&, const StepFields<Dim>&);                    \
     template std::vector<Real> pressure(const Scene<Dim>&);
 ISPH_INSTANTIATE(2)

@@ -18,10 +18,11 @@ void takeParticles(const std::map<std::string, ParticleFile>& files, Scene<Dim>&
 template <int Dim>
 void requireApart(const Scene<Dim>& scene, const std::filesystem::path& file);
 
-/// Particles in the order of cells, as neighbours in space are to be neighbours in memory. Done at the
-/// start and where the state is written, so that a restart has the same order.
+/// Particles in the order of cells of a search within `reach`, as neighbours in space are to be neighbours
+/// in memory. Done at the start, where the state is written, and in steps of fixed numbers, so that a
+/// restart has the same order.
 template <int Dim>
-void sortParticles(Scene<Dim>& scene);
+void sortParticles(Scene<Dim>& scene, Real reach);
 
 /// The water with everything that a restart needs, bit for bit; and what users look at: p, porosity,
 /// UDarcy in scenes with soil.
