@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "boundaries/FreeSurface.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace isph {
 
 template <int Dim>
@@ -22,7 +25,46 @@ void findFreeSurface(const Points<Dim>& points, const PairList<Dim>& pairs,
     points.refresh(role);
 }
 
+SurfaceRows latticeSurfaceRows(const Kernel& kernel, int dimension, Real hOverSpacing)
+{
+    const int m = static_cast<int>(std::ceil(kernel.supportRadius() * hOverSpacing));
+    const int mz = dimension == 3 ? m : 0;
+    SurfaceRows rows;
+    for (int a = -m; a <= m; ++a)
+        for (int b = -m; b <= 1; ++b)
+            for (int c = -mz; c <= mz; ++c) {
+                const Real q = std::sqrt(Real(a * a + b * b + c * c)) / hOverSpacing;
+                Real w = 0, slope = 0;
+                kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
+                rows.second -= slope * sqr(q);
+                if (b <= 0) rows.first -= slope * sqr(q);
+            }
+    const Real scale = kernel.normalisation(dimension) / std::pow(hOverSpacing, dimension);
+    return {rows.first * scale, rows.second * scale};
+}
+
+template <int Dim>
+void surfacePressure(const SurfaceRows& rows, Real spacingOverH, const Points<Dim>& points,
+                     const Corrections<Dim>& corrections, const std::vector<SurfaceRole>& role,
+                     Span<const Vec<Dim>> forceGradient, const Vec<Dim>& force, std::vector<Real>& p)
+{
+    p.resize(points.water);
+    const Real strongest = norm(force);
+    parallelFor(points.water, [&](Index i) {
+        p[i] = 0;
+        if (role[i] != SurfaceRole::surface) return;
+        const Real below = std::max(Real(0), (corrections.lambda[i] - rows.first) / (rows.second - rows.first));
+        const Vec<Dim> gradient = atMost(forceGradient[i], strongest) + force;   // grad p / rho0
+        const Real inwards = std::max(Real(0), -dot(gradient, unit(corrections.lopsided[i])));
+        p[i] = below * spacingOverH * points.h[i] * inwards;
+    });
+}
+
 template void findFreeSurface(const Points<2>&, const PairList<2>&, const Corrections<2>&, std::vector<SurfaceRole>&);
 template void findFreeSurface(const Points<3>&, const PairList<3>&, const Corrections<3>&, std::vector<SurfaceRole>&);
+template void surfacePressure(const SurfaceRows&, Real, const Points<2>&, const Corrections<2>&,
+                              const std::vector<SurfaceRole>&, Span<const Vec<2>>, const Vec<2>&, std::vector<Real>&);
+template void surfacePressure(const SurfaceRows&, Real, const Points<3>&, const Corrections<3>&,
+                              const std::vector<SurfaceRole>&, Span<const Vec<3>>, const Vec<3>&, std::vector<Real>&);
 
 }  // namespace isph

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which particles form the free surface.                                        [theory (6.1), (6.2)]
+// Which particles form the free surface, and their pressure.             [theory (6.1), (6.2), (6.9)]
 #pragma once
 #include "operators/Corrections.hpp"
 
@@ -11,7 +11,7 @@ namespace isph {
 enum class SurfaceRole : std::uint8_t {
     inner,   ///< no surface particle in its support
     near,    ///< has surface particles in its support
-    surface  ///< lambda below the threshold: its pressure is that of the air, 0
+    surface  ///< lambda below the threshold: its pressure is known
 };
 
 /// lambda below which a particle belongs to the surface: 1.5 in 2-D, 2.25 in 3-D (Dim in the bulk).
@@ -22,5 +22,21 @@ constexpr Real surfaceThreshold() { return 0.75 * Dim; }
 template <int Dim>
 void findFreeSurface(const Points<Dim>& points, const PairList<Dim>& pairs,
                      const Corrections<Dim>& corrections, std::vector<SurfaceRole>& role);
+
+/// lambda of the first and of the second row of particles beneath a flat surface of a lattice.
+struct SurfaceRows {
+    Real first = 0, second = 0;
+};
+
+SurfaceRows latticeSurfaceRows(const Kernel& kernel, int dimension, Real hOverSpacing);
+
+/// p/rho0 of the surface particles [m2/s2], 0 of the others. The first row is at air pressure; a particle
+/// half way to the second row carries the water above it, as fast as the pressure rises inwards:  (6.9)
+///   p_i/rho0 = -s_i max(0, (lambda_i - lambda_1)/(lambda_2 - lambda_1)) min(0, (c_i + g).n_i)
+/// forceGradient: c_i = (grad p)/rho0 - g of the last step, at most |g| of it counts.
+template <int Dim>
+void surfacePressure(const SurfaceRows& rows, Real spacingOverH, const Points<Dim>& points,
+                     const Corrections<Dim>& corrections, const std::vector<SurfaceRole>& role,
+                     Span<const Vec<Dim>> forceGradient, const Vec<Dim>& force, std::vector<Real>& p);
 
 }  // namespace isph

@@ -42,6 +42,14 @@ constexpr Real normSqr(const Vec<Dim>& a) { return dot(a, a); }
 template <int Dim>
 inline Real norm(const Vec<Dim>& a) { return std::sqrt(dot(a, a)); }
 
+/// a, shortened to the given length where it is longer.
+template <int Dim>
+inline Vec<Dim> atMost(const Vec<Dim>& a, Real length)
+{
+    const Real n = norm(a);
+    return n > length ? (length / n) * a : a;
+}
+
 /// a/|a|, and zero where |a| is too small to have a direction.
 template <int Dim>
 inline Vec<Dim> unit(const Vec<Dim>& a)

@@ -17,13 +17,20 @@ constexpr int kRepeats = 3;              // pressure solves of a first step
 }  // namespace
 
 template <int Dim>
+DragImplicitStep<Dim>::DragImplicitStep(Scene<Dim>& scene, Timers& timers)
+    : ProjectionStep<Dim>(scene, timers),
+      rows_(latticeSurfaceRows(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing))
+{
+}
+
+template <int Dim>
 StepReport DragImplicitStep<Dim>::advance(Real dt, Real dtOld)
 {
     StepReport report;
     const StepWeights weights{dt, dtOld > 0 ? dt / dtOld : 0};
     move(weights, report);
     this->look();
-    this->eddies();
+    if (scene_.turbulence) this->eddies();
     if (scene_.porous) {
         drag();
         project(WaterInSoil<Dim>{weights.dtPrime(), fields_.soil, fields_.resistance}, weights, report);
@@ -77,8 +84,10 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     const Water<Dim> before = repeats > 1 ? scene_.water : Water<Dim>{};
     for (int k = 0; k < repeats; ++k) {
         if (k > 0) scene_.water.u = before.u, scene_.water.uOld = before.uOld;
-        const PressureSource<Dim> source{fields_.v, scene_.water.forceGradient, divergence_,
-                                         scene_.scheme.force};
+        surfacePressure<Dim>(rows_, scene_.scheme.spacing / scene_.scheme.h0, fields_.points, fields_.corrections,
+                             fields_.role, scene_.water.forceGradient, scene_.scheme.force, surfacePressure_);
+        const PressureSource<Dim> source{fields_.v, scene_.water.forceGradient, divergence_, scene_.scheme.force,
+                                         surfacePressure_};
         pressure_.solve(scene_, medium, source, {}, timers_, fields_, report);
         const auto timer = timers_.scope("corrector");
         correct(medium, scene_.scheme, fields_, scene_.water);

@@ -10,7 +10,7 @@ namespace isph {
 template <int Dim>
 class DragImplicitStep : public ProjectionStep<Dim> {
 public:
-    using ProjectionStep<Dim>::ProjectionStep;
+    DragImplicitStep(Scene<Dim>& scene, Timers& timers);
     StepReport advance(Real dt, Real dtOld) override;
 
 private:
@@ -25,7 +25,9 @@ private:
     void project(const Medium& medium, const StepWeights& weights, StepReport& report);
     void densitySource(const auto& medium, StepReport& report);
     PressureStage<Dim> pressure_;
-    std::vector<Real> divergence_;   ///< wanted after the step [1/s]
+    SurfaceRows rows_;
+    std::vector<Real> divergence_;         ///< wanted after the step [1/s]
+    std::vector<Real> surfacePressure_;    ///< p/rho0 of surface particles [m2/s2], 0 of the others
 };
 
 extern template class DragImplicitStep<2>;

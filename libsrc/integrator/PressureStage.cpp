@@ -33,8 +33,9 @@ void PressureStage<Dim>::solve(Scene<Dim>& scene, const Medium& medium, const Pr
     report.unknowns = rows_.size();
     report.surfaceParticles = points.water - static_cast<Index>(rows_.size());
     fields.p.resize(points.fluid);
+    const auto atSurface = [&](Index i) { return source.surfacePressure.empty() ? 0 : source.surfacePressure[i]; };
     parallelFor(points.water, [&](Index i) {
-        fields.p[i] = rows_.row[i] < 0 ? 0 : unknown_[rows_.row[i]];
+        fields.p[i] = rows_.row[i] < 0 ? atSurface(i) : unknown_[rows_.row[i]];
         water.p[i] = rho * fields.p[i];
     });
     points.refresh(fields.p);

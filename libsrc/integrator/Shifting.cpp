@@ -75,8 +75,8 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
         const Real most = scheme.largestShift * scheme.spacing * h / scheme.h0, length = norm(step);
         if (length > most) step *= most / length;
         dx[i] = step;
-        change[i] = gradU * step;
-        changeOld[i] = gradient(fields, uOld, i) * step;
+        change[i] = (1 / porosity[i]) * (gradU * step);
+        changeOld[i] = (1 / porosity[i]) * (gradient(fields, uOld, i) * step);
     });
     parallelFor(n, [&](Index i) {
         water.x[i] += dx[i];

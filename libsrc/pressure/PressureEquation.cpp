@@ -32,14 +32,6 @@ Vec<Dim> pairFlux(const Medium& medium, Index i, Index j, Real s_i, const Vec<Di
     }
 }
 
-/// a, shortened to the given length where it is longer.
-template <int Dim>
-Vec<Dim> atMost(const Vec<Dim>& a, Real length)
-{
-    const Real n = norm(a);
-    return n > length ? (length / n) * a : a;
-}
-
 void countEntries(const PressureRows& rows, const auto& pairs, const auto& points, const auto& role,
                   SymmetricMatrix& matrix)
 {
@@ -82,7 +74,7 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
         const Real V_i = points.volume[i], s_i = medium.damping(i);
         const Vec<Dim> w_i = source.v[i];
         Real diagonal = 0, gravity = 0;
-        Real divergence = 0;
+        Real divergence = 0, known = 0;
         PairIndex entry = matrix.rowStart[r];
         pairs.forWater(i, [&](const auto& pair) {
             const Index j = pair.j, owner = points.owner[j];
@@ -93,6 +85,7 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
             divergence += points.volume[j] * dot(pairFlux<Dim>(medium, i, j, s_i, w_i, source.v[j]), gradient);
             if (role[owner] == SurfaceRole::surface) {
                 anchored[r] = 1;
+                if (!source.surfacePressure.empty()) known += weight * source.surfacePressure[owner];
                 return;
             }
             matrix.column[entry] = rows.row[owner];
@@ -107,7 +100,7 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
             deferred = -medium.beta(i) * dot(c, corrections.lopsided[i]);
         }
         matrix.diagonal[r] = V_i * diagonal;
-        rhs[r] = -V_i * (divergence - source.divergence[i] + gravity + deferred);
+        rhs[r] = -V_i * (divergence - source.divergence[i] + gravity + deferred - known);
         if (points.images() > 0) sortRow(matrix, matrix.rowStart[r], matrix.rowStart[r + 1]);
     });
     // A row without neighbours has no pressure; a one keeps the matrix positive definite.

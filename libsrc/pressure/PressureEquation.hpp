@@ -25,12 +25,13 @@ struct PressureSource {
     Span<const Vec<Dim>> forceGradient;   ///< c_i, (grad p)/rho - g of the last step
     Span<const Real> divergence;          ///< wanted divergence of v_D after the step [1/s]
     Vec<Dim> force{};                     ///< g + body force
+    Span<const Real> surfacePressure{};   ///< p/rho0 of surface particles [m2/s2]; empty: 0   [theory (6.9)]
 };
 
 /// Row i, multiplied by V_i so that the matrix is symmetric:                              [theory (5.1)]
 ///   sum_j V_j F_ij beta_ij [(p_j - p_i)/rho - g.(x_j - x_i)] - beta_i c_i.T_i = D_i - divergence_i
 /// over water partners; walls are left out, which makes them impermeable (natural Neumann condition).
-/// p = 0 at surface particles. T_i = sum_j V_j F_ij x_ji over water and walls is what the surface cuts
+/// p is known at surface particles. T_i = sum_j V_j F_ij x_ji over water and walls is what the surface cuts
 /// off a support; the term makes the row exact for a linear pressure, at rest as in free fall.  (5.4)
 /// The unknown is p/rho0.
 template <int Dim, class Medium>

@@ -59,4 +59,52 @@ TEST(FreeSurface, IsAllOfASpray)
     for (const SurfaceRole role : step.fields().role) EXPECT_EQ(role, SurfaceRole::surface);
 }
 
+template <int Dim>
+void expectRowsOfALattice(Scene<Dim> scene, Real level)
+{
+    Timers timers;
+    DragImplicitStep<Dim> step(scene, timers);
+    step.look();
+    const SurfaceRows rows = latticeSurfaceRows(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing);
+    for (std::size_t i = 0; i < scene.water.size(); ++i) {
+        const int row = static_cast<int>(level - scene.water.x[i][Dim - 1]);
+        if (row > 1) continue;
+        EXPECT_NEAR(step.fields().corrections.lambda[i], row == 0 ? rows.first : rows.second, 1e-6);
+    }
+}
+
+TEST(FreeSurface, HasTheRowsOfALattice)
+{
+    expectRowsOfALattice<2>(SceneBuilder<2>(1).water({0, 0}, {9, 6}).openTank({0, 0}, {9, 9}).build(), 6);
+    expectRowsOfALattice<3>(SceneBuilder<3>(1).water({0, 0, 0}, {7, 7, 6}).openTank({0, 0, 0}, {7, 7, 9}).build(), 6);
+}
+
+/// One surface particle with the given lambda, normal and force of the last step; g points down.
+Real pressureAtSurface(Real lambda, const Vec<2>& normal, const Vec<2>& forceGradient)
+{
+    Points<2> points;
+    points.water = points.fluid = 1;
+    points.h = {3};   // h0 = 1.5, d0 = 1: in soil of porosity 1/4
+    Corrections<2> corrections;
+    corrections.lambda = {lambda};
+    corrections.lopsided = {normal};
+    std::vector<Real> p;
+    surfacePressure<2>({1.2, 1.8}, 1 / 1.5, points, corrections, {SurfaceRole::surface},
+                       std::vector<Vec<2>>{forceGradient}, {0, -10}, p);
+    return p[0];
+}
+
+TEST(FreeSurface, CarriesTheWaterAboveAParticleBetweenTheRows)
+{
+    const Vec<2> up{0, 3}, down{0, -3}, aside{3, 0}, still{0, 0}, falls{0, 10};
+    EXPECT_DOUBLE_EQ(pressureAtSurface(1.5, up, still), 10);       // half a local spacing of 2 deep
+    EXPECT_EQ(pressureAtSurface(1.2, up, still), 0);               // of the first row
+    EXPECT_EQ(pressureAtSurface(0.9, up, still), 0);               // a crest
+    EXPECT_EQ(pressureAtSurface(1.5, up, falls), 0);               // in free fall
+    EXPECT_EQ(pressureAtSurface(1.5, down, still), 0);             // a ceiling drips
+    EXPECT_EQ(pressureAtSurface(1.5, aside, still), 0);
+    EXPECT_DOUBLE_EQ(pressureAtSurface(1.5, up, {0, -5}), 15);     // thrown up, as at an impact
+    EXPECT_DOUBLE_EQ(pressureAtSurface(1.5, up, {0, -500}), 20);   // no more than |g| of it
+}
+
 }  // namespace
