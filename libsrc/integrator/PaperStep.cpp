@@ -19,7 +19,7 @@ StepReport PaperStep<Dim>::advance(Real dt, Real)
 {
     StepReport report;
     this->look();
-    this->eddies();
+    if (scene_.turbulence) this->eddies();
     coefficients();
     predict(dt);
     densityTerm(dt, report);

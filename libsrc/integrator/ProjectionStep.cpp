@@ -44,7 +44,6 @@ void ProjectionStep<Dim>::look()
 template <int Dim>
 void ProjectionStep<Dim>::eddies()
 {
-    if (!scene_.turbulence) return;
     const Points<Dim>& points = fields_.points;
     const auto& soil = fields_.soil;
     const auto& u = scene_.water.u;

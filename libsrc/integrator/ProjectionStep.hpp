@@ -32,7 +32,7 @@ public:
     const StepFields<Dim>& fields() const { return fields_; }
 
 protected:
-    /// nu_T of water and images; nothing without a turbulence model.                     (8.1)
+    /// nu_T of water and images, of scenes with a turbulence model.                      (8.1)
     void eddies();
 
     Scene<Dim>& scene_;

@@ -170,8 +170,8 @@ Scene<Dim> readScene(const CaseFiles& files, const TimeFolder& start)
     scene.kernel = Kernel::select(choice);
     scene.box = readBox<Dim>(files);
     if (readTimeState(start).index == 0) requireApart(scene, start.path / "water.vtp");
-    const Real reach = scene.kernel->supportRadius() * scene.scheme.h0
-                     / std::pow(leastPorosity(files, scene.soil), Real(1) / Dim);
+    const Real porosity = scene.soil.size() > 0 ? leastPorosity(files, scene.soil) : 1;
+    const Real reach = scene.kernel->supportRadius() * scene.scheme.h0 / std::pow(porosity, Real(1) / Dim);
     scene.wallCloud = WallCloud<Dim>(scene.walls, scene.box, reach + scene.scheme.spacing);
     readFriction(files, scene.walls.names, scene.wallCloud);
     readSoil(files, scene);

@@ -138,11 +138,10 @@ private:
         sort();
         step_->look();
         const Real spacing = scene_.scheme.spacing;
-        const ParticleFile water = waterFile(scene_, step_->fields()), walls = fileOf(scene_.walls, spacing),
-                           soil = fileOf(scene_.soil, spacing);
-        ParticleParts parts{{"water", water}};
-        if (scene_.walls.size() > 0) parts.emplace("walls", walls);
-        if (scene_.soil.size() > 0) parts.emplace("soil", soil);
+        std::map<std::string, ParticleFile> files{{"water", waterFile(scene_, step_->fields())}};
+        if (scene_.walls.size() > 0) files.emplace("walls", fileOf(scene_.walls, spacing));
+        if (scene_.soil.size() > 0) files.emplace("soil", fileOf(scene_.soil, spacing));
+        const ParticleParts parts(files.begin(), files.end());
         writer_.write(time_.state(), parts, time_.purgeWrite());
         logExtent(scene_.water);
     }
