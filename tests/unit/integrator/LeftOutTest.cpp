@@ -103,8 +103,8 @@ TEST(LeftOut, TheArraysOfClearWaterAreThese)
     const Arrays expected{
         {1, 1},    // role
         {4, 1},    // row of the pressure equation
-        {8, 9},    // p [Pa], id; porosity (1), p/rho, filling, lambda, lambda of water alone, divergence wanted; where
-                   // the wall pairs of each begin
+        {8, 8},    // p [Pa], id; porosity (1), p/rho, filling, lambda, lambda of water alone, divergence wanted
+        {12, 1},   // the row of the pair list: where its pairs stand, and how many
         {16, 6},   // x, u, uOld, (grad p)/rho - g; v, lopsided
         {32, 3},   // L, L of water alone, L A
     };
