@@ -3,6 +3,7 @@
 #pragma once
 #include "core/Types.hpp"
 
+#include <array>
 #include <cstring>
 
 namespace isph {
@@ -19,6 +20,14 @@ inline Lanes loadLanes(const Real* from)
     return a;
 }
 
+inline Lanes loadLanes(const float* from)
+{
+    using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
+    Floats a;
+    std::memcpy(&a, from, sizeof a);
+    return __builtin_convertvector(a, Lanes);
+}
+
 inline Lanes allLanes(Real a)
 {
     return Lanes{} + a;
@@ -28,6 +37,42 @@ inline Lanes allLanes(Real a)
 inline Real sumOf(const Lanes& a)
 {
     return ((a[0] + a[4]) + (a[2] + a[6])) + ((a[1] + a[5]) + (a[3] + a[7]));
+}
+
+/// Eight records of eight numbers become eight numbers of eight records each.
+inline void transpose(std::array<Lanes, kLanes>& a)
+{
+    std::array<Lanes, kLanes> b;
+    for (int r = 0; r < kLanes; r += 2) {   // pairs
+        b[r] = __builtin_shufflevector(a[r], a[r + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        b[r + 1] = __builtin_shufflevector(a[r], a[r + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int r = 0; r < 2; ++r)             // quarters
+        for (int h = 0; h < kLanes; h += 4) {
+            a[h + r] = __builtin_shufflevector(b[h + r], b[h + r + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+            a[h + r + 2] = __builtin_shufflevector(b[h + r], b[h + r + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        }
+    for (int r = 0; r < 4; ++r) {           // halves
+        b[r] = __builtin_shufflevector(a[r], a[r + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        b[r + 4] = __builtin_shufflevector(a[r], a[r + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    a = b;
+}
+
+/// The first numbers, a multiple of kLanes, of eight records of `Size` numbers that begin at from + Size record[l].
+template <int Numbers, int Size>
+std::array<Lanes, Numbers> gatherRecords(const Real* from, const Index* record)
+{
+    static_assert(Numbers % kLanes == 0 && Numbers <= Size);
+    std::array<Lanes, Numbers> all;
+    for (int part = 0; part < Numbers; part += kLanes) {
+        std::array<Lanes, kLanes> block;
+        for (int l = 0; l < kLanes; ++l)
+            block[l] = loadLanes(from + static_cast<std::ptrdiff_t>(Size) * record[l] + part);
+        transpose(block);
+        for (int l = 0; l < kLanes; ++l) all[part + l] = block[l];
+    }
+    return all;
 }
 
 }  // namespace isph

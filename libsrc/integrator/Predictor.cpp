@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrator/Predictor.hpp"
 
+#include "operators/Gradient.hpp"
+
 #include <algorithm>
 
 namespace isph {
@@ -19,32 +21,122 @@ Real supportFactor(Real lambda_i, Real lambda_j)
     return 1 / std::max(kLeastSupport, (lambda_i + lambda_j) / (2 * Dim));
 }
 
-/// grad v, row d = grad of component d, of inner particles; zero near the surface and in soil, where
-/// the dissipation takes the whole velocity difference.                                    [theory (7.3)]
-template <int Dim, class Medium>
-void smoothPart(const Medium& medium, const StepFields<Dim>& fields, const std::vector<Vec<Dim>>& v,
-                std::vector<Mat<Dim>>& gradV)
+/// What pairs ask of a particle, side by side in memory. The gradient needs the first eight numbers.
+template <int Dim>
+struct Carried {
+    enum Place : int {
+        x = 0,                 ///< Dim values
+        v = Dim,               ///< extrapolated to the new time, Dim values
+        volume = 2 * Dim, part, lambda, viscosity,
+        stretch,               ///< grad v of inner particles, zero of others: its diagonal,
+        shear = stretch + Dim, ///< sums of opposite entries below and above it
+        used = shear + Dim * (Dim - 1) / 2, size = (used + kLanes - 1) / kLanes * kLanes
+    };
+    /// part: 0 in soil, where there is no dissipation, 1 near the surface, 2 inner.
+    static constexpr Real kClear = 1, kInner = 2;
+    alignas(64) std::array<Real, size> value{};
+};
+
+/// grad v; where it is zero the dissipation takes the whole velocity difference.           [theory (7.3)]
+template <int Dim>
+void smoothPart(const StepFields<Dim>& fields, Index i, std::vector<Carried<Dim>>& carried)
 {
-    const Points<Dim>& points = fields.points;
-    gradV.assign(points.fluid, Mat<Dim>{});
-    parallelForDynamic(points.water, [&](Index i) {
-        if (fields.role[i] != SurfaceRole::inner || medium.share(i) >= kSoilShare) return;
-        Mat<Dim> sum;
-        fields.pairs.forWater(i, [&](const auto& pair) {
-            sum += outer(points.volume[pair.j] * (v[pair.j] - v[i]), pair.gradW());
-        });
-        gradV[i] = sum * fields.corrections.Lwater[i];
+    using C = Carried<Dim>;
+    auto& own = carried[i].value;
+    if (own[C::part] != C::kInner) return;
+    OuterSum<Dim> sum;
+    fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
+        const auto of = gatherRecords<kLanes, C::size>(carried[0].value.data(), pairs.j);
+        std::array<Lanes, Dim> change, x_ij;
+        for (int d = 0; d < Dim; ++d) {
+            change[d] = pairs.slope * of[C::volume] * (of[C::v + d] - own[C::v + d]);
+            x_ij[d] = own[C::x + d] - of[C::x + d];
+        }
+        sum.add(change, x_ij);
     });
-    points.refresh(gradV);
+    const Mat<Dim> gradient = sum.total() * fields.corrections.Lwater[i];
+    for (int r = 0, s = 0; r < Dim; ++r) {
+        own[C::stretch + r] = gradient[r][r];
+        for (int c = 0; c < r; ++c) own[C::shear + s++] = gradient[r][c] + gradient[c][r];
+    }
 }
 
-/// (v_ij.e) r without its smooth part, never more than it and never of the other sign.
-inline Real roughPart(Real approach, Real smooth)
+/// Numbers of eight partners, and those of the particle itself.
+template <int Dim>
+struct Partners {
+    using C = Carried<Dim>;
+    const std::array<Real, C::size>& own;
+    std::array<Lanes, C::size> of;
+
+    const Lanes& operator()(int place) const { return of[place]; }
+    Lanes sum(int place) const { return own[place] + of[place]; }
+    Lanes difference(int place) const { return own[place] - of[place]; }
+};
+
+/// (v_ij.e) r without its smooth part between inner particles: never more than it and never of the other sign.
+template <int Dim>
+Lanes roughPart(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, const Lanes& approach)
 {
-    const Real rough = approach - smooth;
-    if (rough * approach <= 0) return 0;
-    return std::abs(rough) < std::abs(approach) ? rough : approach;
+    using C = Carried<Dim>;
+    Lanes smooth{};
+    for (int r = 0, s = 0; r < Dim; ++r) {
+        smooth += Real(0.5) * partners.sum(C::stretch + r) * x[r] * x[r];
+        for (int c = 0; c < r; ++c) smooth += Real(0.5) * partners.sum(C::shear + s++) * x[r] * x[c];
+    }
+    const Lanes rough = approach - smooth;
+    const Lanes less = rough * rough < approach * approach ? rough : approach;
+    return rough * approach > 0 ? less : Lanes{};
 }
+
+/// Friction and dissipation of a row, those of every lane apart.
+template <int Dim>
+struct RateSum {
+    using C = Carried<Dim>;
+    Real dissipation, most, shortest2;   ///< c_r; largest share of a velocity difference; of |x_ij|^2
+    std::array<Lanes, Dim> rate{};
+
+    void add(const Partners<Dim>& partners, const Lanes& slope)
+    {
+        std::array<Lanes, Dim> v_ij, x;
+        Lanes approach{}, r2{};
+        for (int d = 0; d < Dim; ++d) {
+            v_ij[d] = partners.difference(C::v + d);
+            x[d] = partners.difference(C::x + d);
+            approach += v_ij[d] * x[d];
+            r2 += x[d] * x[d];
+        }
+        const Lanes VF = -2 * partners(C::volume) * slope;
+        const Lanes friction = VF * frictionOf(partners);
+        const Lanes pull = pullOf(partners, x, VF, approach) / (r2 > shortest2 ? r2 : allLanes(shortest2));
+        for (int d = 0; d < Dim; ++d) rate[d] -= friction * v_ij[d] + pull * x[d];
+    }
+
+private:
+    /// Harmonic mean of the viscosities over the share of a full support.
+    static Lanes frictionOf(const Partners<Dim>& partners)
+    {
+        const Lanes both = partners.sum(C::viscosity), support = partners.sum(C::lambda) * (Real(0.5) / Dim);
+        const Lanes product = 2 * partners.own[C::viscosity] * partners(C::viscosity);
+        const Lanes weight = both * (support > kLeastSupport ? support : allLanes(kLeastSupport));
+        return both > 0 ? product / weight : Lanes{};
+    }
+    /// 2 V F c_r |a| a, a the approach or its rough part.
+    Lanes pullOf(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, const Lanes& VF,
+                 const Lanes& approach) const
+    {
+        const Real own = partners.own[C::part];
+        if (dissipation == 0 || own < C::kClear) return Lanes{};
+        const Lanes part = partners(C::part);
+        Lanes a = approach, strength = allLanes(dissipation);
+        if (own == C::kInner) {
+            a = part == C::kInner ? roughPart<Dim>(partners, x, approach) : approach;
+            strength = part == C::kInner ? strength * kInnerStrength : strength;
+        }
+        const Lanes speed = a < 0 ? -a : a;
+        const Lanes pull = 2 * VF * strength * speed;
+        return part < C::kClear ? Lanes{} : (pull < most ? pull : allLanes(most)) * a;
+    }
+};
 
 /// Points of the lattice within 2 h. A pair may take away this share of its velocity difference in a
 /// step and no more: the dissipation is explicit and must not overshoot where sprays meet.
@@ -63,50 +155,47 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
     const Points<Dim>& points = fields.points;
     // Slip walls take no part in the friction, nor then in its support.
     const auto& lambda = walls.noSlip.empty() ? fields.corrections.lambdaWater : fields.corrections.lambda;
-    std::vector<Vec<Dim>> v(points.fluid);   // extrapolated to the new time
-    parallelFor(points.water, [&](Index i) {
-        v[i] = medium.porosity(i) * ((1 + weights.ratio) * water.u[i] - weights.ratio * water.uOld[i]);
-    });
-    points.refresh(v);
     const bool turbulent = !fields.eddyViscosity.empty();
-    const auto viscosity = [&](Index i) {
-        return (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / medium.porosity(i);
-    };
+    using C = Carried<Dim>;
+    std::vector<Carried<Dim>> carried(points.fluid);
+    parallelFor(points.water, [&](Index i) {
+        auto& to = carried[i].value;
+        const Real eps = medium.porosity(i);
+        for (int d = 0; d < Dim; ++d)
+            to[C::v + d] = eps * ((1 + weights.ratio) * water.u[i][d] - weights.ratio * water.uOld[i][d]);
+        const bool inner = fields.role[i] == SurfaceRole::inner;
+        to[C::part] = medium.share(i) >= kSoilShare ? 0 : inner ? C::kInner : C::kClear;
+        to[C::volume] = points.volume[i];
+        to[C::lambda] = lambda[i];
+        to[C::viscosity] = (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / eps;
+    });
+    points.refresh(carried);
+    parallelFor(points.fluid, [&](Index i) {
+        for (int d = 0; d < Dim; ++d) carried[i].value[C::x + d] = points.x[i][d];
+    });
+    if (scheme.dissipation > 0)
+        parallelForDynamic(points.water, [&](Index i) { smoothPart(fields, i, carried); });
+    parallelFor(points.images(), [&](Index k) {
+        auto& image = carried[points.water + k].value;
+        const auto& owner = carried[points.owner[points.water + k]].value;
+        std::copy(owner.begin() + C::stretch, owner.end(), image.begin() + C::stretch);
+    });
     const Real most = 1 / (neighboursOfLattice(scheme) * weights.dtPrime());
-    std::vector<Mat<Dim>> gradV;
-    const bool dissipates = scheme.dissipation > 0;
-    if (dissipates) smoothPart(medium, fields, v, gradV);
-    const auto inner = [&](Index i) { return fields.role[i] == SurfaceRole::inner; };
     fields.v.resize(points.fluid);
     parallelForDynamic(points.water, [&](Index i) {
-        Vec<Dim> rate;
-        const Real nu_i = viscosity(i);
-        const bool clear_i = medium.share(i) < kSoilShare;
-        fields.pairs.forWater(i, [&](const auto& pair) {
-            const Vec<Dim> v_ij = v[i] - v[pair.j];
-            const Real VF = points.volume[pair.j] * pair.F();
-            const Real nu_j = viscosity(pair.j), both = nu_i + nu_j;
-            if (both > 0)
-                rate -= (VF * 2 * nu_i * nu_j / both * supportFactor<Dim>(lambda[i], lambda[pair.j])) * v_ij;
-            if (dissipates && clear_i && medium.share(pair.j) < kSoilShare) {
-                Real approach = dot(v_ij, pair.x_ij);   // (v_ij.e) r
-                Real strength = scheme.dissipation;
-                if (inner(i) && inner(pair.j)) {
-                    const Mat<Dim> gradient = Real(0.5) * (gradV[i] + gradV[pair.j]);
-                    approach = roughPart(approach, dot(gradient * pair.x_ij, pair.x_ij));
-                    strength *= kInnerStrength;
-                }
-                const Real r2 = std::max(normSqr(pair.x_ij), 1e-12 * sqr(scheme.spacing));
-                const Real pull = std::min(2 * VF * strength * std::abs(approach), most);
-                rate -= (pull * approach / r2) * pair.x_ij;
-            }
+        RateSum<Dim> sum{scheme.dissipation, most, 1e-12 * sqr(scheme.spacing)};
+        fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
+            sum.add({carried[i].value, gatherRecords<C::size, C::size>(carried[0].value.data(), pairs.j)}, pairs.slope);
         });
+        Vec<Dim> rate, v_i;
+        for (int d = 0; d < Dim; ++d) rate[d] = sumOf(sum.rate[d]), v_i[d] = carried[i].value[C::v + d];
+        const Real nu_i = carried[i].value[C::viscosity];
         if (!walls.noSlip.empty())
             fields.pairs.forWalls(i, [&](const auto& pair) {
                 const Index k = pair.j - points.fluid;
                 if (walls.noSlip[k])
                     rate -= points.volume[pair.j] * pair.F() * nu_i * supportFactor<Dim>(lambda[i], lambda[i])
-                          * walls.slip(k, pair.x_ij, v[i], medium.porosity(i), scheme.spacing);
+                          * walls.slip(k, pair.x_ij, v_i, medium.porosity(i), scheme.spacing);
             });
         fields.v[i] = medium.porosity(i) * (weights.now() * water.u[i] + weights.before() * water.uOld[i])
                     + medium.mobility(i) * weights.dtPrime() * rate;

@@ -23,6 +23,12 @@ struct PairBatch {
     alignas(64) std::array<std::array<Real, kMost>, Dim> x;   ///< components of x_ij
 };
 
+/// Eight pairs of one row. Idle places of the last eight hold i itself with W = slope = 0.
+struct PairLanes {
+    const Index* j;
+    Lanes W, slope;
+};
+
 /// A number of every pair of a batch.
 struct alignas(64) BatchValues {
     std::array<Real, kBatchPairs> value;

@@ -44,6 +44,23 @@ public:
     template <class F>
     void forWallBatches(Index i, F&& f) const { loopBatches(i, row_[i].wallStart, row_[i].end, f); }
 
+    /// f(pairs) for eight water partners of i at a time, in order.
+    template <class F>
+    void forWaterLanes(Index i, F&& f) const
+    {
+        const Block& block = block_[i / kBlockRows];
+        Index k = row_[i].start;
+        const Index end = row_[i].wallStart;
+        for (; k + kLanes <= end; k += kLanes)
+            f(PairLanes{&block.j[k], loadLanes(&block.W[k]), loadLanes(&block.slope[k])});
+        if (k == end) return;
+        std::array<Index, kLanes> j;
+        std::array<float, kLanes> W{}, slope{};
+        j.fill(i);
+        for (Index l = 0; l < end - k; ++l) j[l] = block.j[k + l], W[l] = block.W[k + l], slope[l] = block.slope[k + l];
+        f(PairLanes{j.data(), loadLanes(W.data()), loadLanes(slope.data())});
+    }
+
     PairIndex size() const;
     PairIndex waterNeighbours(Index i) const { return row_[i].wallStart - row_[i].start; }
     PairIndex wallNeighbours(Index i) const { return row_[i].end - row_[i].wallStart; }

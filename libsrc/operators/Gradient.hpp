@@ -34,8 +34,11 @@ Mat<Dim> pairGradient(const Points<Dim>& points, const PairList<Dim>& pairs, Spa
     pairs.forWaterBatches(i, [&](const PairBatch<Dim>& batch) {
         BatchValues volume;
         std::array<BatchValues, Dim> difference;
-        volume.gather(batch, [&](Index j) { return points.volume[j]; });
-        for (int d = 0; d < Dim; ++d) difference[d].gather(batch, [&](Index j) { return u[j][d] - u_i[d]; });
+        for (Index k = 0; k < batch.size; ++k) {
+            const Vec<Dim> change = u[batch.j[k]] - u_i;
+            for (int d = 0; d < Dim; ++d) difference[d].value[k] = change[d];
+            volume.value[k] = points.volume[batch.j[k]];
+        }
         for (Index k = 0; k < batch.size; k += kLanes) {
             const Lanes weight = volume.lanes(k) * loadLanes(&batch.slope[k]);
             std::array<Lanes, Dim> change, x;
