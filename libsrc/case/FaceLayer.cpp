@@ -93,7 +93,7 @@ Real FaceLayer::step(std::vector<Point>& x, const std::vector<char>& moves) cons
 {
     const Real reach = beside * spacing_;
     const PeriodicPoints all(g_, x, reach);
-    const PointGrid grid(reach, all.x);
+    const CellRows grid(reach, all.x);
     std::vector<Point> next = x;
     parallelForDynamic(x.size(), [&](Index i) {
         if (!moves[i]) return;

@@ -113,8 +113,7 @@ LaidPoints laySoil(const CaseGeometry& g, const std::vector<ZonePorosity>& zones
         const std::size_t before = laid.x.size();
         for (RegionPart& part : partsOf(g, *region.shape, shapesBefore(g.soil, k), {})) {
             volume += part.volume;
-            const PartPoints points =
-                pointsIn(part, g, clearCount(part, g), g.spacing, outsideOf(g, g.soil));
+            const PartPoints points = pointsIn(part, g, clearCount(part, g), g.spacing);
             laid.add(std::move(part), k, eps, g.spacing, points);
         }
         if (laid.x.size() == before)
@@ -138,7 +137,8 @@ LaidPoints layWater(const CaseGeometry& g, const std::vector<ZonePorosity>& zone
                                            ? clearCount(part, g)
                                            : std::llround(eps * part.volume / g.cellVolume());
             const Real spacing = g.spacing / std::pow(eps, 1.0 / g.dimension);
-            const PartPoints points = pointsIn(part, g, count, spacing, outsideOf(g, g.water));
+            const PartPoints points =
+                pointsIn(part, g, count, spacing, eps == 1 ? outsideOf(g, g.water) : nullptr);
             laid.add(std::move(part), k, eps, spacing, points);
         }
         if (laid.x.size() == before)

@@ -2,61 +2,84 @@
 #include "case/Packing.hpp"
 
 #include "case/FaceLayer.hpp"
+#include "case/OutsideSpace.hpp"
+#include "case/PackingPush.hpp"
 #include "case/PointGrid.hpp"
 #include "case/SoilField.hpp"
 #include "core/Parallel.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace isph {
 
 namespace {
 
-constexpr Real smoothing = 1.5;    // h over the local spacing
-constexpr Real rate = 0.15;        // c
-constexpr Real evenness = 0.3;     // e: orders the particles
-constexpr Real stiffness = 4;      // K: evens out the kernel sum where the spacing varies
-constexpr Real longestStep = 0.1;  // in local spacings
-constexpr Real settled = 3e-3;     // in local spacings
+constexpr Real smoothing = packingSmoothing;  // h over the local spacing
+constexpr Real rate = 0.15;                   // c
+constexpr Real longestStep = 0.1;             // in local spacings
+constexpr Real settled = 3e-3;                // in local spacings
+constexpr Real clear = 1.02;                  // of d0: a spacing that no soil has widened
 constexpr int mostSweeps = 200;
-constexpr int sweepsPerSearch = 10;
-constexpr Real skin = 0.5;    // of d0: how far two particles may approach between searches
+constexpr int sweepsPerSpacing = 10;
+constexpr Real skin = 0.25;   // of d0: how far two particles may approach before the next search
 constexpr Real margin = 0.4;  // in local spacings: what a particle keeps from the faces of its part
 
 class Packing {
 public:
-    Packing(const PackingTask& task, std::vector<Point>& x)
+    Packing(const PackingTask& task, const std::vector<Point>& x)
         : task_(task),
           g_(task.geometry),
           d0_(g_.spacing),
           kernel_{g_.dimension},
-          x_(x),
+          order_(byPlace(x)),
           spacing_(x.size(), d0_),
           volume_(x.size(), g_.cellVolume()),
           excess_(x.size(), 0),
           atMost_(x.size(), std::numeric_limits<Real>::max()),
           latticeSum_(latticeSum())
     {
+        for (std::size_t i : order_) x_.push_back(x[i]);
         for (std::size_t i = 0; i < x_.size(); ++i)
-            if (task_.mobility[i] > 0) mobile_.push_back(i);
+            if (task_.mobility[order_[i]] > 0) mobile_.push_back(i);
     }
 
-    void run()
+    void run(std::vector<Point>& x)
     {
         if (mobile_.empty()) return;
         updateSpacing();
-        layOutside();
+        std::vector<Point> around;
+        for (std::size_t i : mobile_) around.push_back(x_[i]);
+        outside_ = outsideSpace(g_, around, 2 * smoothing * widest_, task_.outside);
+        search();
+        push();
+        for (std::size_t m = 0; m < mobile_.size(); ++m) excess_[mobile_[m]] = pushed_[m].excess;
         for (int sweep = 0; sweep < mostSweeps; ++sweep) {
-            if (sweep % sweepsPerSearch == 0) {
-                updateSpacing();
-                search();
-            }
+            if (sweep % sweepsPerSpacing == 0) updateSpacing();
+            if (approach_ > skin * d0_) search();
+            push();
             if (step() < settled) break;
         }
-        for (std::size_t i : mobile_) x_[i] = g_.wrapped(x_[i]);
+        for (std::size_t i : mobile_) x[order_[i]] = g_.wrapped(x_[i]);
     }
 
 private:
+    /// Particles with the same neighbours stand together: what one has loaded serves the next.
+    std::vector<std::size_t> byPlace(const std::vector<Point>& x) const
+    {
+        using Cell = std::array<std::int64_t, 3>;
+        std::vector<std::pair<Cell, std::size_t>> cells(x.size());
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            for (int d = 0; d < 3; ++d)
+                cells[i].first[d] = static_cast<std::int64_t>(std::floor(x[i][d] / (3 * d0_)));
+            cells[i].second = i;
+        }
+        std::sort(cells.begin(), cells.end());
+        std::vector<std::size_t> order;
+        for (const auto& cell : cells) order.push_back(cell.second);
+        return order;
+    }
+
     /// sum_j V_j W_ij in a lattice.
     Real latticeSum() const
     {
@@ -70,130 +93,78 @@ private:
         return sum;
     }
 
+    /// To the porosity where the particles are now. Supports that grow come nearer as well.
     void updateSpacing()
     {
+        std::vector<Real> before = spacing_;
         parallelForDynamic(x_.size(), [&](Index i) {
             const Real porosity = task_.porosity(x_[i]);
             spacing_[i] = d0_ / std::pow(porosity, 1.0 / g_.dimension);
             volume_[i] = g_.cellVolume() / porosity;
         });
-        widest_ = d0_;
-        for (Real s : spacing_) widest_ = std::max(widest_, s);
-    }
-
-    /// The space around the mobile particles that is not theirs to fill, as points with volumes:
-    /// cells of d0 that lie outside as a whole, so that a lattice goes on in them, and parts of
-    /// others by halves.
-    void layOutside()
-    {
-        BoundingBox box;
-        for (std::size_t i : mobile_) box.include(x_[i]);
-        const Real reach = 2 * smoothing * widest_;
-        PointGrid mobile(reach);
-        for (std::size_t i : mobile_) mobile.add(x_[i]);
-        box = box.grown(reach, g_.dimension);
-        for (int d = 0; d < g_.dimension; ++d) {  // whole cells from the corner of the domain
-            box.min[d] = g_.domain.min[d] + std::floor((box.min[d] - g_.domain.min[d]) / d0_) * d0_;
-            box.max[d] = box.min[d] + std::ceil((box.max[d] - box.min[d]) / d0_) * d0_;
-        }
-        forEachCell(box, g_.dimension, d0_ * (1 + 1e-9), [&](const Point& x, Real volume) {
-            if (mobile.nearest(x, reach) >= 0) addOutside(x, volume);
-        });
-    }
-
-    void addOutside(const Point& centre, Real volume)
-    {
-        const Real half = 0.5 * d0_;
-        const int parts = 1 << g_.dimension;
-        Real share[8], sum = 0;
-        Point at[8];
-        for (int p = 0; p < parts; ++p) {
-            at[p] = centre;
-            for (int d = 0; d < g_.dimension; ++d) at[p][d] += (p >> d & 1 ? 0.5 : -0.5) * half;
-            share[p] = std::clamp(0.5 + task_.outside(g_.wrapped(at[p])) / half, 0.0, 1.0);
-            sum += share[p];
-        }
-        if (sum > parts - 1e-6) {
-            outside_.push_back(centre);
-            outsideVolume_.push_back(volume);
-            return;
-        }
-        for (int p = 0; p < parts; ++p) {
-            if (share[p] == 0) continue;
-            outside_.push_back(at[p]);
-            outsideVolume_.push_back(share[p] * volume / parts);
-        }
+        Real growth = 0;
+        for (std::size_t i = 0; i < x_.size(); ++i)
+            growth = std::max(growth, spacing_[i] - before[i]);
+        approach_ += 2 * smoothing * growth;
+        widest_ = std::max(d0_, *std::max_element(spacing_.begin(), spacing_.end()));
     }
 
     /// Lists, for each mobile particle, what may come within its support before the next search.
     void search()
     {
         images_ = std::make_unique<PeriodicPoints>(g_, x_, 2 * smoothing * widest_ + d0_);
-        const PointGrid particles(smoothing * widest_, images_->x),
-            outside(smoothing * widest_, outside_);
+        const CellRows particles(smoothing * widest_, images_->x),
+            outside(smoothing * widest_, outside_.x);
+        const auto beyond = static_cast<Index>(images_->x.size());
         near_.resize(mobile_.size());
-        nearOutside_.resize(mobile_.size());
         parallelForDynamic(mobile_.size(), [&](Index m) {
             const std::size_t i = mobile_[m];
             near_[m].clear();
-            nearOutside_[m].clear();
-            particles.forEachWithin(
-                x_[i], smoothing * (spacing_[i] + widest_) + skin * d0_,
-                [&](Index k, const Point& r) {
-                    const Index j = images_->owner[k];
-                    const Real support = smoothing * (spacing_[i] + spacing_[j]) + skin * d0_;
-                    if (normSqr(r) < sqr(support) && (j != static_cast<Index>(i) || normSqr(r) > 0))
-                        near_[m].push_back(k);
-                });
+            particles.forEachWithin(x_[i], smoothing * (spacing_[i] + widest_) + skin * d0_,
+                                    [&](Index k, const Point& r) {
+                                        const Index j = images_->owner[k];
+                                        const Real support =
+                                            smoothing * (spacing_[i] + spacing_[j]) + skin * d0_;
+                                        if (normSqr(r) < sqr(support) && k != static_cast<Index>(i))
+                                            near_[m].push_back(k);
+                                    });
             outside.forEachWithin(x_[i], 2 * smoothing * spacing_[i] + skin * d0_,
-                                  [&](Index k, const Point&) { nearOutside_[m].push_back(k); });
+                                  [&](Index k, const Point&) { near_[m].push_back(beyond + k); });
         });
+        approach_ = 0;
     }
 
-    /// f(j or -1 for space outside, volume, vector to it, h_ij) for what is within the support of
-    /// particle m.
-    template <class F>
-    void forEachNear(std::size_t m, F&& f) const
+    void setSources()
     {
-        const std::size_t i = mobile_[m];
-        for (Index k : near_[m]) {
+        const std::size_t inside = images_->x.size();
+        sources_.resize(inside + outside_.x.size());
+        parallelFor(inside, [&](Index k) {
             const Index j = images_->owner[k];
-            f(j, volume_[j], x_[j] + images_->shift[k] - x_[i],
-              0.5 * smoothing * (spacing_[i] + spacing_[j]));
-        }
-        for (Index k : nearOutside_[m])
-            f(-1, outsideVolume_[k], outside_[k] - x_[i], smoothing * spacing_[i]);
+            sources_[k] = {x_[j] + images_->shift[k], spacing_[j], volume_[j], excess_[j]};
+        });
+        parallelFor(outside_.x.size(), [&](Index k) {
+            sources_[inside + k] = {outside_.x[k], PackingSource::ofTheOther, outside_.volume[k],
+                                    0};
+        });
     }
 
-    /// How much sum_j V_j W_ij exceeds that of a lattice.
-    Real excess(std::size_t m) const
+    /// For all mobile particles: -h^2 sum_j V_j (e + K (n_i + n_j)) gradW_ij with the excess n of
+    /// the last sweep, and the excess of sum_j V_j W_ij over that of a lattice.
+    void push()
     {
-        const std::size_t i = mobile_[m];
-        Real sum = volume_[i] * kernel_.w(0, smoothing * spacing_[i]);
-        forEachNear(m, [&](Index, Real volume, const Point& r, Real h) {
-            const Real distance = norm(r);
-            if (distance < 2 * h) sum += volume * kernel_.w(distance, h);
+        setSources();
+        pushed_.resize(mobile_.size());
+        parallelForDynamic(mobile_.size(), [&](Index m) {
+            pushed_[m] = pushOn(mobile_[m], sources_, near_[m], kernel_);
+            pushed_[m].excess -= latticeSum_;
         });
-        return sum - latticeSum_;
     }
 
-    /// -h^2 sum_j V_j (e + K (n_i + n_j)) gradW_ij at the mobile particle m.
-    Point push(std::size_t m) const
-    {
-        const std::size_t i = mobile_[m];
-        Point sum;
-        forEachNear(m, [&](Index j, Real volume, const Point& r, Real h) {
-            const Real distance = norm(r);
-            if (distance >= 2 * h) return;
-            const Real excesses = excess_[i] + (j < 0 ? excess_[i] : excess_[j]);
-            sum += volume * (evenness + stiffness * excesses) * kernel_.slope(distance, h) * r;
-        });
-        return sqr(smoothing * spacing_[i]) * sum;
-    }
+    Real own(std::size_t i, const Point& x) const { return task_.own(order_[i], x); }
 
     Point outward(std::size_t i) const
     {
-        return steepest([&](const Point& x) { return task_.own(i, x); }, x_[i], g_);
+        return steepest([&](const Point& x) { return own(i, x); }, x_[i], g_);
     }
 
     /// The move of one that slides: where it ends it is as far from the outside as before.
@@ -209,10 +180,11 @@ private:
     Point moved(std::size_t i, Point by)
     {
         const Real keep = margin * spacing_[i];
-        if (task_.slides[i]) by = alongFace(i, by);
+        // where soil widens the spacing the distance to a face widens too
+        if (task_.slides[order_[i]] && spacing_[i] < clear * d0_) by = alongFace(i, by);
         atMost_[i] += norm(by);  // distances change no faster than places
         if (atMost_[i] < -keep) return x_[i] + by;
-        const Real before = task_.own(i, x_[i]), after = task_.own(i, x_[i] + by);
+        const Real before = own(i, x_[i]), after = own(i, x_[i] + by);
         if (before < -keep && after < -keep) {
             atMost_[i] = after;
             return x_[i] + by;
@@ -222,27 +194,30 @@ private:
         if (before > -keep) by -= std::min(0.05 * spacing_[i], before + keep) * n;
         atMost_[i] = std::max(before, -keep);
         const Point x = x_[i] + by;
-        return task_.own(i, x) <= atMost_[i] ? x : x_[i];
+        return own(i, x) <= atMost_[i] ? x : x_[i];
     }
 
-    /// One sweep over all mobile particles at once; the largest step in local spacings.
+    /// Moves all mobile particles at once; the largest step in local spacings.
     Real step()
     {
-        parallelForDynamic(mobile_.size(), [&](Index m) { excess_[mobile_[m]] = excess(m); });
         std::vector<Point> next(mobile_.size());
         parallelForDynamic(mobile_.size(), [&](Index m) {
             const std::size_t i = mobile_[m];
-            Point by = rate * task_.mobility[i] * push(m);
+            Point by = rate * task_.mobility[order_[i]] * pushed_[m].by;
             const Real length = norm(by), most = longestStep * spacing_[i];
             if (length > most) by *= most / length;
             next[m] = moved(i, by);
         });
-        Real largest = 0;
+        Real largest = 0, farthest = 0;
         for (std::size_t m = 0; m < mobile_.size(); ++m) {
-            Point& x = x_[mobile_[m]];
-            largest = std::max(largest, norm(next[m] - x) / spacing_[mobile_[m]]);
-            x = next[m];
+            const std::size_t i = mobile_[m];
+            const Real length = norm(next[m] - x_[i]);
+            largest = std::max(largest, length / spacing_[i]);
+            farthest = std::max(farthest, length);
+            x_[i] = next[m];
+            excess_[i] = pushed_[m].excess;
         }
+        approach_ += 2 * farthest;
         return largest;
     }
 
@@ -250,23 +225,26 @@ private:
     const CaseGeometry& g_;
     Real d0_;
     PackingKernel kernel_;
-    std::vector<Point>& x_;
+    std::vector<std::size_t> order_;  ///< of the particles here, their places in the task
+    std::vector<Point> x_;
     std::vector<Real> spacing_, volume_, excess_;
     std::vector<Real> atMost_;  ///< a bound of own() at x
     Real latticeSum_;
     std::vector<std::size_t> mobile_;
-    std::vector<Point> outside_;
-    std::vector<Real> outsideVolume_;
+    OutsideSpace outside_;
     std::unique_ptr<PeriodicPoints> images_;
-    std::vector<std::vector<Index>> near_, nearOutside_;
+    std::vector<PackingSource> sources_;
+    std::vector<std::vector<Index>> near_;  ///< of each mobile particle: places in sources_
+    std::vector<PackingPush> pushed_;
     Real widest_ = 0;
+    Real approach_ = 0;  ///< at most by so much have two particles come nearer since the search
 };
 
 }  // namespace
 
 void pack(const PackingTask& task, std::vector<Point>& x)
 {
-    Packing(task, x).run();
+    Packing(task, x).run(x);
 }
 
 }  // namespace isph

@@ -17,7 +17,7 @@ struct PackingTask {
     std::function<Real(std::size_t i, const Point&)> own;
     /// 0: stays where it is, 1: moves freely.
     std::vector<Real> mobility;
-    /// Not 0: keeps its distance to the outside.
+    /// Not 0: keeps its distance to the outside, clear of soil.
     std::vector<char> slides;
 };
 
@@ -25,7 +25,8 @@ struct PackingTask {
 /// n_i = sum_j V_j W_ij less that of a lattice, over particles and over the space outside (by
 /// midpoints), until the largest step is 3e-3 of a spacing or 200 sweeps are done. The term e
 /// orders the particles; alone it leaves the sum uneven by 3 % where the spacing varies, which the
-/// term K repairs. Threaded, the same bits for any number of threads.
+/// term K repairs; n is that of the sweep before, so that one pass over the pairs gives both.
+/// Threaded, the same bits for any number of threads.
 void pack(const PackingTask& task, std::vector<Point>& x);
 
 }  // namespace isph

@@ -4,6 +4,7 @@
 #pragma once
 #include "case/Shape.hpp"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace isph {
@@ -72,6 +73,47 @@ private:
     Real cell_;
     std::vector<Point> points_;
     std::unordered_map<std::uint64_t, std::vector<Index>> cells_;
+};
+
+/// Points that stay as they are, sorted into the cells of their bounding box: faster to search than
+/// a PointGrid, in the same order.
+class CellRows {
+public:
+    CellRows(Real cell, const std::vector<Point>& points);
+
+    /// f(i, x_i - x) for all points within `radius`, always in the same order.
+    template <class F>
+    void forEachWithin(const Point& x, Real radius, F&& f) const
+    {
+        Index low[3], high[3];
+        for (int d = 0; d < 3; ++d) {
+            low[d] = cellOf(x[d] - radius, d);
+            high[d] = cellOf(x[d] + radius, d);
+        }
+        for (Index k = low[2]; k <= high[2]; ++k)
+            for (Index j = low[1]; j <= high[1]; ++j) {
+                const std::size_t row = (static_cast<std::size_t>(k) * n_[1] + j) * n_[0];
+                for (Index p = start_[row + low[0]]; p < start_[row + high[0] + 1]; ++p) {
+                    const Point r = points_[p] - x;
+                    if (normSqr(r) <= sqr(radius)) f(order_[p], r);
+                }
+            }
+    }
+
+private:
+    /// Along d, kept within the box.
+    Index cellOf(Real x, int d) const
+    {
+        return static_cast<Index>(
+            std::clamp((x - min_[d]) / cell_, 0.0, static_cast<Real>(n_[d] - 1)));
+    }
+
+    Real cell_;
+    Point min_;
+    Index n_[3] = {1, 1, 1};
+    std::vector<Index> start_;  ///< of each cell in points_
+    std::vector<Point> points_;
+    std::vector<Index> order_;
 };
 
 }  // namespace isph

@@ -197,7 +197,7 @@ PartPoints pointsIn(const RegionPart& part, const CaseGeometry& g, std::int64_t 
     std::vector<Candidate> others;
     forEachLatticePoint(part, g, spacing, [&](const Point& x) {
         const Real f = part.distance(x);
-        if (f < 0 && points.x.size() < count && layer.holds(x)) {
+        if (f < 0 && outside && points.x.size() < count && layer.holds(x)) {
             points.x.push_back(x);
         } else if (f < 1.5 * spacing) {
             others.push_back({f, x});
@@ -205,7 +205,7 @@ PartPoints pointsIn(const RegionPart& part, const CaseGeometry& g, std::int64_t 
     });
     points.snapped = layer.laid(points.x);
     for (const Point& x : deepest(others, count - points.x.size(), spacing)) {
-        const bool extra = outside(x) > 0;  // one more than the lattice has inside
+        const bool extra = outside && outside(x) > 0;  // one more than the lattice has inside
         points.x.push_back(extra ? layer.atDepth(x, 1.25) : x);
         points.snapped.push_back(extra);
     }

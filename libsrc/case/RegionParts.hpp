@@ -32,11 +32,11 @@ struct PartPoints {
     std::vector<char> snapped;
 };
 
-/// `count` points in the part, even in box parts (see fillBox). In others those of a lattice at
-/// `spacing` that are less than a spacing beneath an outside face stand in a layer half a spacing
-/// beneath it (FaceLayer), and the deepest others make up the number.
-/// outside: distance to all that is laid together, positive outside.
+/// `count` points in the part, even in box parts (see fillBox). In others the deepest of a lattice
+/// at `spacing`; with `outside`, the distance to all that is laid together, positive outside, those
+/// less than a spacing beneath an outside face stand in a layer half a spacing beneath it
+/// (FaceLayer).
 PartPoints pointsIn(const RegionPart& part, const CaseGeometry& geometry, std::int64_t count,
-                    Real spacing, const std::function<Real(const Point&)>& outside);
+                    Real spacing, const std::function<Real(const Point&)>& outside = nullptr);
 
 }  // namespace isph

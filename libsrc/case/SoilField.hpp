@@ -48,7 +48,7 @@ private:
     PackingKernel kernel_;
     Real h_, least_;
     PeriodicPoints soilPoints_, wallPoints_;
-    PointGrid soilGrid_, wallGrid_;
+    CellRows soilGrid_, wallGrid_;
     std::vector<Real> solid_, wall_;
 };
 
