@@ -27,18 +27,6 @@ void makeFolder(const fs::path& path)
     if (failed) cannotWrite(path, failed);
 }
 
-/// Puts a whole folder in its place; one that stands there is removed after that.
-void moveIntoPlace(const fs::path& from, const fs::path& to)
-{
-    const fs::path old = to.parent_path() / ("." + to.filename().string() + ".old");
-    std::error_code failed, ignored;
-    fs::remove_all(old, ignored);
-    if (fs::exists(to)) fs::rename(to, old, failed);
-    if (!failed) fs::rename(from, to, failed);
-    if (failed) cannotWrite(to, failed);
-    fs::remove_all(old, ignored);
-}
-
 /// Names of the .vtp files in a folder, without suffix: water, walls, soil, then the others.
 std::vector<std::string> partsIn(const fs::path& folder)
 {

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 #include <boost/crc.hpp>
+#include <fcntl.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -66,6 +67,24 @@ void writeWholeFile(const std::filesystem::path& file, std::string_view content)
     std::remove(temporary.c_str());
     errno = cause;
     failed("cannot write file", file);
+}
+
+void moveIntoPlace(const std::filesystem::path& from, const std::filesystem::path& to)
+{
+    namespace fs = std::filesystem;
+    std::error_code cause, ignored;
+    if (!fs::exists(to)) {
+        fs::rename(from, to, cause);
+    } else if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) {
+        fs::remove_all(from, ignored);
+    } else {  // a file system that cannot exchange names
+        const fs::path old = to.parent_path() / ("." + to.filename().string() + ".old");
+        fs::remove_all(old, ignored);
+        fs::rename(to, old, cause);
+        if (!cause) fs::rename(from, to, cause);
+        if (!cause) fs::remove_all(old, ignored);
+    }
+    if (cause) throw FatalIOError("cannot write folder: " + cause.message(), to.string(), 0);
 }
 
 std::string withChecksum(std::string content)

@@ -3,6 +3,8 @@
 
 #include "boundaries/PointCloud.hpp"
 #include "output/ParticleArrays.hpp"
+#include "output/TimeFolders.hpp"
+#include "output/WholeFile.hpp"
 #include "porous/PorousField.hpp"
 
 #include <numeric>
@@ -93,6 +95,42 @@ std::vector<Real> porosity(const CaseSetup& setup, const ParticleFile& waterFile
     return state.porosity;
 }
 
+namespace fs = std::filesystem;
+
+/// Everything in `from` but the files that createParticles writes.
+void copyOthers(const fs::path& from, const fs::path& to)
+{
+    if (!fs::is_directory(from)) return;
+    for (const auto& entry : fs::directory_iterator(from)) {
+        const fs::path name = entry.path().filename();
+        if (name == "water.vtp" || name == "walls.vtp" || name == "soil.vtp") continue;
+        fs::copy(entry.path(), to / name,
+                 fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+    }
+}
+
+/// The parts and what else the folder holds, in a hidden folder that then takes its place.
+void writeFolder(const fs::path& folder, const ParticleParts& parts)
+{
+    const fs::path whole = folder.parent_path() / ("." + folder.filename().string() + ".part");
+    std::error_code ignored;
+    try {
+        fs::remove_all(whole);  // of a run that was killed
+        fs::create_directories(whole);
+        copyOthers(folder, whole);
+        for (const auto& [name, particles] : parts)
+            writeParticleFile(whole / (name + ".vtp"), particles);
+        moveIntoPlace(whole, folder);
+    } catch (const fs::filesystem_error& error) {
+        fs::remove_all(whole, ignored);
+        throw FatalIOError("cannot write the folder: " + error.code().message(), folder.string(),
+                           0);
+    } catch (...) {
+        fs::remove_all(whole, ignored);
+        throw;
+    }
+}
+
 }  // namespace
 
 void writeParticles(const std::filesystem::path& folder, const CaseSetup& setup,
@@ -108,19 +146,10 @@ void writeParticles(const std::filesystem::path& folder, const CaseSetup& setup,
     else
         eps = (g.dimension == 2 ? porosity<2> : porosity<3>)(setup, waterPart, wallPart, soilPart);
 
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed)
-        throw FatalIOError("cannot make the folder: " + failed.message(), folder.string(), 0);
-    writeParticleFile(folder / "water.vtp", waterPart);
-    if (walls.size() > 0)
-        writeParticleFile(folder / "walls.vtp", wallPart);
-    else
-        std::filesystem::remove(folder / "walls.vtp", failed);
-    if (!soil.x.empty())
-        writeParticleFile(folder / "soil.vtp", soilPart);
-    else
-        std::filesystem::remove(folder / "soil.vtp", failed);
+    ParticleParts parts{{"water", waterPart}};
+    if (walls.size() > 0) parts.emplace("walls", wallPart);
+    if (!soil.x.empty()) parts.emplace("soil", soilPart);
+    writeFolder(folder, parts);
 }
 
 }  // namespace isph
