@@ -55,7 +55,7 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
         const Mat<Dim> gradU = gradient(fields, u, i);
         if (fields.role[i] == SurfaceRole::inner) divergence[i] = sqr(dt * trace(gradU));
         const bool inSoil = !fields.soil.share.empty() && fields.soil.share[i] > kSoilShare;
-        if (lambda < kLeastSupport * Dim || inSoil) return;
+        if (scheme.shifting == 0 || lambda < kLeastSupport * Dim || inSoil) return;
         const Real h = points.h[i], WLattice = wLattice / (Dim == 2 ? sqr(h) : cube(h));
         Vec<Dim> concentration, normal;
         Real U2 = 0;
