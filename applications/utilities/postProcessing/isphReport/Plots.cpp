@@ -200,6 +200,8 @@ std::string tics(const VariedKey& key)
     return text;
 }
 
+constexpr std::size_t kRoomyColumns = 7;
+
 void drawMap(const Report& report, const std::vector<Result>& results, const std::string& error,
              const fs::path& folder, const std::string& name)
 {
@@ -227,7 +229,9 @@ void drawMap(const Report& report, const std::vector<Result>& results, const std
     std::vector<std::string> parts;
     if (counts[0]) {
         parts.push_back("$good using 1:2:3 with points pt 5 ps 4 lc palette title 'stable'");
-        parts.push_back("$good using 1:2:(sprintf('%.3g', $3)) with labels offset 0,1.7 notitle");
+        const bool crowded = first.values.size() > kRoomyColumns;   // texts would run into one another
+        parts.push_back(fmt::format("$good using 1:2:(sprintf('{}', $3)) with labels offset 0,1.7{} notitle",
+                                    crowded ? "%.1e" : "%.3g", crowded ? " font ',8'" : ""));
     }
     if (counts[1])
         parts.push_back(
