@@ -28,6 +28,19 @@ inline Lanes loadLanes(const float* from)
     return __builtin_convertvector(a, Lanes);
 }
 
+inline void storeLanes(const Lanes& a, Real* to)
+{
+    std::memcpy(to, &a, sizeof a);
+}
+
+/// Whole numbers.
+inline void storeLanes(const Lanes& a, Index* to)
+{
+    using Whole = Index __attribute__((vector_size(kLanes * sizeof(Index))));
+    const Whole whole = __builtin_convertvector(a, Whole);
+    std::memcpy(to, &whole, sizeof whole);
+}
+
 inline Lanes allLanes(Real a)
 {
     return Lanes{} + a;
@@ -40,7 +53,7 @@ inline Real sumOf(const Lanes& a)
 }
 
 /// Eight records of eight numbers become eight numbers of eight records each.
-inline void transpose(std::array<Lanes, kLanes>& a)
+[[gnu::always_inline]] inline void transpose(std::array<Lanes, kLanes>& a)
 {
     std::array<Lanes, kLanes> b;
     for (int r = 0; r < kLanes; r += 2) {   // pairs
@@ -57,22 +70,6 @@ inline void transpose(std::array<Lanes, kLanes>& a)
         b[r + 4] = __builtin_shufflevector(a[r], a[r + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
     a = b;
-}
-
-/// The first numbers, a multiple of kLanes, of eight records of `Size` numbers that begin at from + Size record[l].
-template <int Numbers, int Size>
-std::array<Lanes, Numbers> gatherRecords(const Real* from, const Index* record)
-{
-    static_assert(Numbers % kLanes == 0 && Numbers <= Size);
-    std::array<Lanes, Numbers> all;
-    for (int part = 0; part < Numbers; part += kLanes) {
-        std::array<Lanes, kLanes> block;
-        for (int l = 0; l < kLanes; ++l)
-            block[l] = loadLanes(from + static_cast<std::ptrdiff_t>(Size) * record[l] + part);
-        transpose(block);
-        for (int l = 0; l < kLanes; ++l) all[part + l] = block[l];
-    }
-    return all;
 }
 
 }  // namespace isph

@@ -34,19 +34,19 @@ struct Carried {
     };
     /// part: 0 in soil, where there is no dissipation, 1 near the surface, 2 inner.
     static constexpr Real kClear = 1, kInner = 2;
-    alignas(64) std::array<Real, size> value{};
 };
 
 /// grad v; where it is zero the dissipation takes the whole velocity difference.           [theory (7.3)]
 template <int Dim>
-void smoothPart(const StepFields<Dim>& fields, Index i, std::vector<Carried<Dim>>& carried)
+void smoothPart(const StepFields<Dim>& fields, Index i, const Records<Carried<Dim>::size>& carried)
 {
     using C = Carried<Dim>;
-    auto& own = carried[i].value;
+    Real* own = carried[i];
+    std::fill(own + C::stretch, own + C::size, 0);
     if (own[C::part] != C::kInner) return;
     OuterSum<Dim> sum;
     fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
-        const auto of = gatherRecords<kLanes, C::size>(carried[0].value.data(), pairs.j);
+        const auto of = carried.template gather<kLanes>(pairs.j);
         std::array<Lanes, Dim> change, x_ij;
         for (int d = 0; d < Dim; ++d) {
             change[d] = pairs.slope * of[C::volume] * (of[C::v + d] - own[C::v + d]);
@@ -65,7 +65,7 @@ void smoothPart(const StepFields<Dim>& fields, Index i, std::vector<Carried<Dim>
 template <int Dim>
 struct Partners {
     using C = Carried<Dim>;
-    const std::array<Real, C::size>& own;
+    const Real* own;
     std::array<Lanes, C::size> of;
 
     const Lanes& operator()(int place) const { return of[place]; }
@@ -157,9 +157,9 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
     const auto& lambda = walls.noSlip.empty() ? fields.corrections.lambdaWater : fields.corrections.lambda;
     const bool turbulent = !fields.eddyViscosity.empty();
     using C = Carried<Dim>;
-    std::vector<Carried<Dim>> carried(points.fluid);
+    const auto carried = fields.pairs.template records<C::size>();
     parallelFor(points.water, [&](Index i) {
-        auto& to = carried[i].value;
+        Real* to = carried[i];
         const Real eps = medium.porosity(i);
         for (int d = 0; d < Dim; ++d)
             to[C::v + d] = eps * ((1 + weights.ratio) * water.u[i][d] - weights.ratio * water.uOld[i][d]);
@@ -169,27 +169,30 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         to[C::lambda] = lambda[i];
         to[C::viscosity] = (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / eps;
     });
-    points.refresh(carried);
+    const auto copyToImages = [&](int from, int to) {
+        parallelFor(points.images(), [&](Index k) {
+            const Real* owner = carried[points.owner[points.water + k]];
+            std::copy(owner + from, owner + to, carried[points.water + k] + from);
+        });
+    };
+    copyToImages(0, C::stretch);
     parallelFor(points.fluid, [&](Index i) {
-        for (int d = 0; d < Dim; ++d) carried[i].value[C::x + d] = points.x[i][d];
+        for (int d = 0; d < Dim; ++d) carried[i][C::x + d] = points.x[i][d];
     });
-    if (scheme.dissipation > 0)
+    if (scheme.dissipation > 0) {
         parallelForDynamic(points.water, [&](Index i) { smoothPart(fields, i, carried); });
-    parallelFor(points.images(), [&](Index k) {
-        auto& image = carried[points.water + k].value;
-        const auto& owner = carried[points.owner[points.water + k]].value;
-        std::copy(owner.begin() + C::stretch, owner.end(), image.begin() + C::stretch);
-    });
+        copyToImages(C::stretch, C::size);
+    }
     const Real most = 1 / (neighboursOfLattice(scheme) * weights.dtPrime());
     fields.v.resize(points.fluid);
     parallelForDynamic(points.water, [&](Index i) {
         RateSum<Dim> sum{scheme.dissipation, most, 1e-12 * sqr(scheme.spacing)};
         fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
-            sum.add({carried[i].value, gatherRecords<C::size, C::size>(carried[0].value.data(), pairs.j)}, pairs.slope);
+            sum.add({carried[i], carried.gather(pairs.j)}, pairs.slope);
         });
         Vec<Dim> rate, v_i;
-        for (int d = 0; d < Dim; ++d) rate[d] = sumOf(sum.rate[d]), v_i[d] = carried[i].value[C::v + d];
-        const Real nu_i = carried[i].value[C::viscosity];
+        for (int d = 0; d < Dim; ++d) rate[d] = sumOf(sum.rate[d]), v_i[d] = carried[i][C::v + d];
+        const Real nu_i = carried[i][C::viscosity];
         if (!walls.noSlip.empty())
             fields.pairs.forWalls(i, [&](const auto& pair) {
                 const Index k = pair.j - points.fluid;

@@ -17,6 +17,7 @@ constexpr Real kEdgeSteps = 4;
 constexpr Real kRoom = 1.05;
 /// Rows with more places out of order than this share are sorted as a whole, not place by place.
 constexpr Index kNearlySorted = 8;
+constexpr Real kRounding = 1e-6;   // keeps a distance in single precision below the true one
 }  // namespace
 
 /// Finds the partners of one particle after the other; its arrays hold the row at hand.
@@ -32,6 +33,7 @@ public:
     const Index* j() const { return j_.data(); }
     const float* W() const { return W_.data(); }
     const float* slope() const { return slope_.data(); }
+    float nearest() const { return nearest_; }
 
 private:
     void near(Index i);
@@ -49,6 +51,7 @@ private:
     const PairList& list_;
     const Kernel& kernel_;
     Index size_ = 0, water_ = 0;
+    float nearest_ = 0;
     std::vector<Index> hit_, place_, j_;   ///< places in the order of cells: as found, as listed; numbers
     std::vector<std::uint64_t> key_;
     std::vector<Real> q_, h_, w_, s_;
@@ -154,11 +157,14 @@ void PairList<Dim>::RowSearch::evaluate(Index i)
     Real *q = q_.data(), *h = h_.data();
     const Real *w = w_.data(), *s = s_.data();
     float *W = W_.data(), *slope = slope_.data();
-#pragma omp simd
+    Real nearest2 = sqr(list_.support_ * list_.largestH_);
+#pragma omp simd reduction(min : nearest2)
     for (Index k = 0; k < size_; ++k) {
+        nearest2 = std::min(nearest2, q[k]);
         h[k] = 1 / (Real(0.5) * (hi + h[k]));
         q[k] = std::sqrt(q[k]) * h[k];
     }
+    nearest_ = static_cast<float>(std::sqrt(nearest2) * (1 - kRounding));
     const std::size_t n = size_;
     kernel_.evaluate({q, n}, {w_.data(), n}, {s_.data(), n});
 #pragma omp simd
@@ -209,6 +215,7 @@ void PairList<Dim>::fillBlock(Index b, RowSearch& search)
         row_[i].start = static_cast<Index>(begin);
         row_[i].wallStart = static_cast<Index>(begin) + search.water();
         row_[i].end = static_cast<Index>(end);
+        row_[i].nearest = search.nearest();
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pairs of a step: for every water particle its neighbours with kernel value and slope.
 #pragma once
+#include "core/Records.hpp"
 #include "kernels/Kernel.hpp"
 #include "neighbours/CellGrid.hpp"
 #include "neighbours/PairBatch.hpp"
@@ -49,17 +50,26 @@ public:
     void forWaterLanes(Index i, F&& f) const
     {
         const Block& block = block_[i / kBlockRows];
-        Index k = row_[i].start;
         const Index end = row_[i].wallStart;
-        for (; k + kLanes <= end; k += kLanes)
-            f(PairLanes{&block.j[k], loadLanes(&block.W[k]), loadLanes(&block.slope[k])});
-        if (k == end) return;
-        std::array<Index, kLanes> j;
-        std::array<float, kLanes> W{}, slope{};
-        j.fill(i);
-        for (Index l = 0; l < end - k; ++l) j[l] = block.j[k + l], W[l] = block.W[k + l], slope[l] = block.slope[k + l];
-        f(PairLanes{j.data(), loadLanes(W.data()), loadLanes(slope.data())});
+        std::array<Index, kLanes> lastJ;
+        std::array<float, kLanes> lastW{}, lastSlope{};
+        for (Index k = row_[i].start; k < end; k += kLanes) {
+            const Index* j = &block.j[k];
+            const float *W = &block.W[k], *slope = &block.slope[k];
+            if (end - k < kLanes) {
+                lastJ.fill(i);
+                for (Index l = 0; l < end - k; ++l) lastJ[l] = j[l], lastW[l] = W[l], lastSlope[l] = slope[l];
+                j = lastJ.data(), W = lastW.data(), slope = lastSlope.data();
+            }
+            f(PairLanes{j, loadLanes(W), loadLanes(slope)});   // called at one place, so that it is inlined
+        }
     }
+
+    /// Room for what one pass over the pairs wants to know of every partner; valid until the next call.
+    template <int Size>
+    Records<Size> records() const { return store_.template records<Size>(points_->fluid); }
+    /// No partner of i is nearer than this [m].
+    Real nearest(Index i) const { return row_[i].nearest; }
 
     PairIndex size() const;
     PairIndex waterNeighbours(Index i) const { return row_[i].wallStart - row_[i].start; }
@@ -76,6 +86,7 @@ public:
 private:
     struct Row {
         Index start, wallStart, end;   ///< places in the row's block
+        float nearest;                 ///< [m]
     };
     /// Pairs of kBlockRows rows.
     struct Block {
@@ -138,6 +149,7 @@ private:
     Real support_ = 0, sigma_ = 0, selfW0_ = 0, largestH_ = 0;
     std::vector<Row> row_;
     std::vector<Block> block_;
+    mutable RecordStore store_;
 };
 
 extern template class PairList<2>;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pressure/PressureEquation.hpp"
 
+#include "operators/Gradient.hpp"
+
 #include <algorithm>
 
 namespace isph {
@@ -17,36 +19,124 @@ void PressureRows::number(const std::vector<SurfaceRole>& role, Index water)
 }
 
 namespace {
-/// D_i: divergence of the drag-damped predictor, each pair through the face between its partners.  (5.2)
-/// Along a soil surface water keeps its own damping, so that soil is no no-slip wall to it.
-template <int Dim, class Medium>
-Vec<Dim> pairFlux(const Medium& medium, Index i, Index j, Real s_i, const Vec<Dim>& w_i, const Vec<Dim>& w_j)
+/// What the rows ask of a partner, side by side in memory.
+template <int Dim>
+struct Partner {
+    enum Place : int { x = 0, v = Dim, volume = 2 * Dim, row, size = 8 };   ///< row: -1 at the surface
+};
+
+template <int Dim>
+Records<Partner<Dim>::size> partnersOf(const Points<Dim>& points, const PairList<Dim>& pairs, const PressureRows& rows,
+                                       Span<const Vec<Dim>> v)
 {
-    if constexpr (!Medium::hasSoil) {
-        return w_j - w_i;
-    } else {
-        const Vec<Dim> sum = w_i + w_j;
-        const Vec<Dim> n = medium.normal(i, j);
-        const Real across = dot(sum, n);
-        return s_i * (sum - 2 * w_i) + (medium.damping(i, j) - s_i) * across * n;
-    }
+    using P = Partner<Dim>;
+    const auto partners = pairs.template records<P::size>();
+    parallelFor(points.fluid, [&](Index i) {
+        Real* to = partners[i];
+        for (int d = 0; d < Dim; ++d) to[P::x + d] = points.x[i][d], to[P::v + d] = v[i][d];
+        to[P::volume] = points.volume[i];
+        to[P::row] = rows.row[i < points.water ? i : points.owner[i]];
+    });
+    return partners;
 }
 
-void countEntries(const PressureRows& rows, const auto& pairs, const auto& points, const auto& role,
-                  SymmetricMatrix& matrix)
+/// Sums over the water partners of a row, those of every lane apart.
+template <int Dim, class Medium>
+struct RowSum {
+    using P = Partner<Dim>;
+    const Medium& medium;
+    Index i;
+    const Real* own;
+    Lanes diagonal{};
+    std::array<Lanes, Dim> side{};   ///< sum V F beta x_ij
+    OuterSum<Dim> flux{};            ///< of D_i
+
+    /// Returns the coefficients V F beta of eight pairs.
+    Lanes add(const PairLanes& pairs, const std::array<Lanes, P::size>& of)
+    {
+        const Lanes VSlope = of[P::volume] * pairs.slope, weight = -2 * VSlope * betas(pairs.j);
+        std::array<Lanes, Dim> x, change;
+        for (int d = 0; d < Dim; ++d) {
+            x[d] = own[P::x + d] - of[P::x + d];
+            change[d] = of[P::v + d] - own[P::v + d];
+        }
+        if constexpr (Medium::hasSoil) dampFluxes(pairs.j, change);
+        diagonal += weight;
+        for (int d = 0; d < Dim; ++d) {
+            side[d] += weight * x[d];
+            change[d] *= VSlope;
+        }
+        flux.add(change, x);
+        return weight;
+    }
+
+private:
+    Lanes betas(const Index* j) const
+    {
+        if constexpr (!Medium::hasSoil) return allLanes(medium.beta(i));
+        Lanes beta{};
+        for (int l = 0; l < kLanes; ++l) beta[l] = medium.beta(i, j[l]);
+        return beta;
+    }
+    /// D_i: divergence of the drag-damped predictor, each pair through the face between its partners. (5.2)
+    /// Along a soil surface water keeps its own damping, so that soil is no no-slip wall to it.
+    void dampFluxes(const Index* j, std::array<Lanes, Dim>& change) const
+    {
+        const Real s_i = medium.damping(i);
+        for (int l = 0; l < kLanes; ++l) {
+            const Vec<Dim> n = medium.normal(i, j[l]);
+            Real across = 0;
+            for (int d = 0; d < Dim; ++d) across += (2 * own[P::v + d] + change[d][l]) * n[d];
+            const Real more = (medium.damping(i, j[l]) - s_i) * across;
+            for (int d = 0; d < Dim; ++d) change[d][l] = s_i * change[d][l] + more * n[d];
+        }
+    }
+};
+
+/// sum_rc L_rc M_rc
+template <int Dim>
+Real contract(const Mat<Dim>& L, const Mat<Dim>& M)
+{
+    Real sum = 0;
+    for (int r = 0; r < Dim; ++r) sum += dot(L[r], M[r]);
+    return sum;
+}
+
+void countEntries(const PressureRows& rows, const auto& pairs, const auto& role, SymmetricMatrix& matrix)
 {
     matrix.rowStart.assign(rows.size() + 1, 0);
     parallelForDynamic(rows.size(), [&](Index r) {
-        PairIndex entries = 0;
-        pairs.forWater(rows.particle[r], [&](const auto& pair) {
-            entries += role[points.owner[pair.j]] != SurfaceRole::surface;
-        });
+        const Index i = rows.particle[r];
+        PairIndex entries = pairs.waterNeighbours(i);
+        if (role[i] != SurfaceRole::inner)
+            pairs.forWater(i, [&](const auto& pair) { entries -= role[pair.j] == SurfaceRole::surface; });
         matrix.rowStart[r + 1] = entries;
     });
     for (std::size_t r = 0; r < rows.size(); ++r) matrix.rowStart[r + 1] += matrix.rowStart[r];
     matrix.column.resize(matrix.rowStart.back());
     matrix.offDiagonal.resize(matrix.rowStart.back());
     matrix.diagonal.resize(rows.size());
+}
+
+/// Writes the entries of eight partners from `entry` on, all of them unknowns.
+PairIndex writeAll(SymmetricMatrix& matrix, PairIndex entry, const Lanes& row, const Lanes& value)
+{
+    storeLanes(row, &matrix.column[entry]);
+    storeLanes(value, &matrix.offDiagonal[entry]);
+    return entry + kLanes;
+}
+
+/// Writes those of the first `pairs` partners that are unknowns; returns the next place.
+PairIndex writeUnknowns(SymmetricMatrix& matrix, PairIndex entry, const Lanes& row, const Lanes& value, Index pairs)
+{
+    std::array<Real, kLanes> rows, values;
+    storeLanes(row, rows.data()), storeLanes(value, values.data());
+    for (Index l = 0; l < pairs; ++l) {
+        if (rows[l] < 0) continue;
+        matrix.column[entry] = static_cast<Index>(rows[l]);
+        matrix.offDiagonal[entry++] = values[l];
+    }
+    return entry;
 }
 
 /// Images stand behind the water in a row of pairs: their columns are moved to their places.
@@ -66,41 +156,43 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
               const PressureSource<Dim>& source, const PressureRows& rows, SymmetricMatrix& matrix,
               std::vector<Real>& rhs, std::vector<char>& anchored)
 {
-    countEntries(rows, pairs, points, role, matrix);
+    using P = Partner<Dim>;
+    countEntries(rows, pairs, role, matrix);
     rhs.resize(rows.size());
     anchored.assign(rows.size(), 0);
+    const auto partners = partnersOf<Dim>(points, pairs, rows, source.v);
     parallelForDynamic(rows.size(), [&](Index r) {
         const Index i = rows.particle[r];
-        const Real V_i = points.volume[i], s_i = medium.damping(i);
-        const Vec<Dim> w_i = source.v[i];
-        Real diagonal = 0, gravity = 0;
-        Real divergence = 0, known = 0;
-        PairIndex entry = matrix.rowStart[r];
-        pairs.forWater(i, [&](const auto& pair) {
-            const Index j = pair.j, owner = points.owner[j];
-            const Real weight = points.volume[j] * pair.F() * medium.beta(i, j);
-            diagonal += weight;
-            gravity -= weight * dot(source.force, pair.x_ij);
-            const Vec<Dim> gradient = corrections.L[i] * pair.gradW();
-            divergence += points.volume[j] * dot(pairFlux<Dim>(medium, i, j, s_i, w_i, source.v[j]), gradient);
-            if (role[owner] == SurfaceRole::surface) {
-                anchored[r] = 1;
-                if (!source.surfacePressure.empty()) known += weight * source.surfacePressure[owner];
-                return;
-            }
-            matrix.column[entry] = rows.row[owner];
-            matrix.offDiagonal[entry++] = -V_i * weight;
+        const Real V_i = points.volume[i];
+        RowSum<Dim, Medium> sum{medium, i, partners[i]};
+        PairIndex entry = matrix.rowStart[r], left = pairs.waterNeighbours(i);
+        Real known = 0;
+        pairs.forWaterLanes(i, [&](const PairLanes& eight) {
+            const auto of = partners.gather(eight.j);
+            const Lanes weight = sum.add(eight, of);
+            const auto count = static_cast<Index>(std::min<PairIndex>(left, kLanes));
+            const bool inner = role[i] == SurfaceRole::inner;
+            entry = inner && count == kLanes ? writeAll(matrix, entry, of[P::row], -V_i * weight)
+                                             : writeUnknowns(matrix, entry, of[P::row], -V_i * weight, count);
+            left -= count;
+            if (inner || source.surfacePressure.empty()) return;
+            for (Index l = 0; l < count; ++l)
+                if (of[P::row][l] < 0) known += weight[l] * source.surfacePressure[points.owner[eight.j[l]]];
         });
-        pairs.forWalls(i, [&](const auto& pair) {   // walls at rest
-            divergence -= points.volume[pair.j] * s_i * dot(w_i, corrections.L[i] * pair.gradW());
-        });
+        anchored[r] = entry - matrix.rowStart[r] < pairs.waterNeighbours(i);
+        Vec<Dim> side, wallGradient;
+        for (int d = 0; d < Dim; ++d) side[d] = sumOf(sum.side[d]);
+        pairs.forWalls(i, [&](const auto& pair) { wallGradient += points.volume[pair.j] * pair.gradW(); });
+        const Mat<Dim>& L = corrections.L[i];
+        const Real divergence = contract(L, sum.flux.total())
+                              - medium.damping(i) * dot(source.v[i], L * wallGradient);   // walls at rest
         Real deferred = 0;
         if (role[i] == SurfaceRole::near) {
             const Vec<Dim> c = atMost(source.forceGradient[i], norm(source.force));
             deferred = -medium.beta(i) * dot(c, corrections.lopsided[i]);
         }
-        matrix.diagonal[r] = V_i * diagonal;
-        rhs[r] = -V_i * (divergence - source.divergence[i] + gravity + deferred - known);
+        matrix.diagonal[r] = V_i * sumOf(sum.diagonal);
+        rhs[r] = -V_i * (divergence - source.divergence[i] - dot(source.force, side) + deferred - known);
         if (points.images() > 0) sortRow(matrix, matrix.rowStart[r], matrix.rowStart[r + 1]);
     });
     // A row without neighbours has no pressure; a one keeps the matrix positive definite.

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers of particles side by side in memory, read for eight particles at a time.
+#pragma once
+#include "core/Lanes.hpp"
+
+#include <vector>
+
+namespace isph {
+
+/// `Size` numbers, a multiple of kLanes, of every particle. It refers to the memory of a RecordStore.
+template <int Size>
+class Records {
+public:
+    static_assert(Size % kLanes == 0);
+    explicit Records(Real* first) : first_(first) {}
+
+    Real* operator[](Index i) const { return first_ + static_cast<std::ptrdiff_t>(Size) * i; }
+
+    /// The first numbers of eight particles: eight loads and a transposition in registers for every eight.
+    template <int Numbers = Size>
+    [[gnu::always_inline]] std::array<Lanes, Numbers> gather(const Index* particle) const
+    {
+        static_assert(Numbers % kLanes == 0 && Numbers <= Size);
+        std::array<Lanes, Numbers> all;
+        for (int part = 0; part < Numbers; part += kLanes) {
+            std::array<Lanes, kLanes> block;
+            for (int l = 0; l < kLanes; ++l) block[l] = loadLanes((*this)[particle[l]] + part);
+            transpose(block);
+            for (int l = 0; l < kLanes; ++l) all[part + l] = block[l];
+        }
+        return all;
+    }
+
+private:
+    Real* first_;
+};
+
+/// Memory of records, used again by one pass over the pairs after the other.
+class RecordStore {
+public:
+    /// Room for n records, whose numbers are whatever stood there.
+    template <int Size>
+    Records<Size> records(Index n)
+    {
+        const std::size_t lines = static_cast<std::size_t>(n + 1) * (Size / kLanes);
+        if (lines_.size() < lines) lines_ = std::vector<Line>(lines + lines / 16);
+        return Records<Size>(lines_[0].number.data());
+    }
+
+private:
+    struct alignas(64) Line {
+        std::array<Real, kLanes> number;
+    };
+    std::vector<Line> lines_;
+};
+
+}  // namespace isph
