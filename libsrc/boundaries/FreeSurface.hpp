@@ -23,19 +23,20 @@ template <int Dim>
 void findFreeSurface(const Points<Dim>& points, const PairList<Dim>& pairs,
                      const Corrections<Dim>& corrections, std::vector<SurfaceRole>& role);
 
-/// lambda of the first and of the second row of particles beneath a flat surface of a lattice.
-struct SurfaceRows {
-    Real first = 0, second = 0;
+/// A flat surface of a lattice: lambda of its first row, and how much it rises for a particle of that row
+/// that is moved inwards, by a spacing.
+struct FlatSurface {
+    Real lambda = 0, rise = 1;
 };
 
-SurfaceRows latticeSurfaceRows(const Kernel& kernel, int dimension, Real hOverSpacing);
+FlatSurface latticeSurface(const Kernel& kernel, int dimension, Real hOverSpacing);
 
 /// p/rho0 of the surface particles [m2/s2], 0 of the others. The first row is at air pressure; a particle
-/// half way to the second row carries the water above it, as fast as the pressure rises inwards:  (6.9)
-///   p_i/rho0 = -s_i max(0, (lambda_i - lambda_1)/(lambda_2 - lambda_1)) min(0, (c_i + g).n_i)
+/// below it carries three quarters of the water above, as fast as the pressure rises inwards:       (6.9)
+///   p_i/rho0 = 3/4 s_i max(0, (lambda_i - lambda_1)/lambda_1') max(0, -(c_i + g).n_i)
 /// forceGradient: c_i = (grad p)/rho0 - g of the last step, at most |g| of it counts.
 template <int Dim>
-void surfacePressure(const SurfaceRows& rows, Real spacingOverH, const Points<Dim>& points,
+void surfacePressure(const FlatSurface& surface, Real spacingOverH, const Points<Dim>& points,
                      const Corrections<Dim>& corrections, const std::vector<SurfaceRole>& role,
                      Span<const Vec<Dim>> forceGradient, const Vec<Dim>& force, std::vector<Real>& p);
 

@@ -19,7 +19,7 @@ constexpr int kRepeats = 3;              // pressure solves of a first step
 template <int Dim>
 DragImplicitStep<Dim>::DragImplicitStep(Scene<Dim>& scene, Timers& timers)
     : ProjectionStep<Dim>(scene, timers),
-      rows_(latticeSurfaceRows(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing))
+      flat_(latticeSurface(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing))
 {
 }
 
@@ -84,7 +84,7 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     const Water<Dim> before = repeats > 1 ? scene_.water : Water<Dim>{};
     for (int k = 0; k < repeats; ++k) {
         if (k > 0) scene_.water.u = before.u, scene_.water.uOld = before.uOld;
-        surfacePressure<Dim>(rows_, scene_.scheme.spacing / scene_.scheme.h0, fields_.points, fields_.corrections,
+        surfacePressure<Dim>(flat_, scene_.scheme.spacing / scene_.scheme.h0, fields_.points, fields_.corrections,
                              fields_.role, scene_.water.forceGradient, scene_.scheme.force, surfacePressure_);
         const PressureSource<Dim> source{fields_.v, scene_.water.forceGradient, divergence_, scene_.scheme.force,
                                          surfacePressure_};

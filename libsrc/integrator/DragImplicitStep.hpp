@@ -25,7 +25,7 @@ private:
     void project(const Medium& medium, const StepWeights& weights, StepReport& report);
     void densitySource(const auto& medium, StepReport& report);
     PressureStage<Dim> pressure_;
-    SurfaceRows rows_;
+    FlatSurface flat_;
     std::vector<Real> divergence_;         ///< wanted after the step [1/s]
     std::vector<Real> surfacePressure_;    ///< p/rho0 of surface particles [m2/s2], 0 of the others
 };

@@ -58,15 +58,19 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
         if (scheme.shifting == 0 || lambda < kLeastSupport * Dim || inSoil) return;
         const Real h = points.h[i], WLattice = wLattice / (Dim == 2 ? sqr(h) : cube(h));
         Vec<Dim> concentration, normal;
-        Real U2 = 0;
+        Real U2 = 0, wall = 0;
         fields.pairs.forAll(i, [&](const auto& pair) {
             const Real V = points.volume[pair.j];
             concentration += (V * (1 + kTensile * sqr(sqr(pair.W / WLattice)))) * pair.gradW();
             if (pair.j < points.fluid) {
                 normal += (V * (fields.corrections.lambda[pair.j] - lambda)) * pair.gradW();
                 if (pair.W > kEdge * WLattice) U2 = std::max(U2, normSqr(u[i] - u[pair.j]));
+            } else {
+                wall += V;
             }
         });
+        // Where a surface meets a wall its tangent is not known; water would be pumped up the wall.
+        if (wall > 0 && fields.role[i] == SurfaceRole::surface) return;
         Vec<Dim> step = (-scheme.shifting * h * dt * std::sqrt(U2)) * concentration;
         if (fields.role[i] != SurfaceRole::inner) {
             const Vec<Dim> e = unit(normal);
