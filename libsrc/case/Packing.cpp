@@ -16,10 +16,10 @@ namespace isph {
 namespace {
 
 constexpr Real smoothing = packingSmoothing;  // h over the local spacing
-constexpr Real rate = 0.15;                   // c
-constexpr Real longestStep = 0.1;             // in local spacings
-constexpr Real settled = 3e-3;                // in local spacings
-constexpr Real clear = 1.02;                  // of d0: a spacing that no soil has widened
+constexpr Real rate = 0.1;         // c; at 0.15 the excess of the sweep before makes some oscillate
+constexpr Real longestStep = 0.1;  // in local spacings
+constexpr Real settled = 2e-3;     // in local spacings
+constexpr Real clear = 1.02;       // of d0: a spacing that no soil has widened
 constexpr int mostSweeps = 200;
 constexpr int sweepsPerSpacing = 10;
 constexpr Real skin = 0.25;   // of d0: how far two particles may approach before the next search
@@ -56,7 +56,7 @@ public:
         for (std::size_t m = 0; m < mobile_.size(); ++m) excess_[mobile_[m]] = pushed_[m].excess;
         for (int sweep = 0; sweep < mostSweeps; ++sweep) {
             if (sweep % sweepsPerSpacing == 0) updateSpacing();
-            if (approach_ > skin * d0_) search();
+            if (approach() > skin * d0_) search();
             push();
             if (step() < settled) break;
         }
@@ -105,7 +105,7 @@ private:
         Real growth = 0;
         for (std::size_t i = 0; i < x_.size(); ++i)
             growth = std::max(growth, spacing_[i] - before[i]);
-        approach_ += 2 * smoothing * growth;
+        growth_ += 2 * smoothing * growth;
         widest_ = std::max(d0_, *std::max_element(spacing_.begin(), spacing_.end()));
     }
 
@@ -131,7 +131,17 @@ private:
             outside.forEachWithin(x_[i], 2 * smoothing * spacing_[i] + skin * d0_,
                                   [&](Index k, const Point&) { near_[m].push_back(beyond + k); });
         });
-        approach_ = 0;
+        searchedAt_ = x_;
+        growth_ = 0;
+    }
+
+    /// At most by so much have two particles, or their supports, come nearer since the search.
+    Real approach() const
+    {
+        Real farthest = 0;
+        for (std::size_t i : mobile_)
+            farthest = std::max(farthest, normSqr(x_[i] - searchedAt_[i]));
+        return 2 * std::sqrt(farthest) + growth_;
     }
 
     void setSources()
@@ -208,16 +218,13 @@ private:
             if (length > most) by *= most / length;
             next[m] = moved(i, by);
         });
-        Real largest = 0, farthest = 0;
+        Real largest = 0;
         for (std::size_t m = 0; m < mobile_.size(); ++m) {
             const std::size_t i = mobile_[m];
-            const Real length = norm(next[m] - x_[i]);
-            largest = std::max(largest, length / spacing_[i]);
-            farthest = std::max(farthest, length);
+            largest = std::max(largest, norm(next[m] - x_[i]) / spacing_[i]);
             x_[i] = next[m];
             excess_[i] = pushed_[m].excess;
         }
-        approach_ += 2 * farthest;
         return largest;
     }
 
@@ -237,7 +244,8 @@ private:
     std::vector<std::vector<Index>> near_;  ///< of each mobile particle: places in sources_
     std::vector<PackingPush> pushed_;
     Real widest_ = 0;
-    Real approach_ = 0;  ///< at most by so much have two particles come nearer since the search
+    std::vector<Point> searchedAt_;  ///< x at the last search
+    Real growth_ = 0;                ///< of supports since then
 };
 
 }  // namespace

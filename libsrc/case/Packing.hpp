@@ -23,7 +23,7 @@ struct PackingTask {
 
 /// Sweeps of  x_i -= c h_i^2 sum_j V_j [e + K (n_i + n_j)] gradW_ij,  V_j = d0^D/porosity_j,
 /// n_i = sum_j V_j W_ij less that of a lattice, over particles and over the space outside (by
-/// midpoints), until the largest step is 3e-3 of a spacing or 200 sweeps are done. The term e
+/// midpoints), until the largest step is 2e-3 of a spacing or 200 sweeps are done. The term e
 /// orders the particles; alone it leaves the sum uneven by 3 % where the spacing varies, which the
 /// term K repairs; n is that of the sweep before, so that one pass over the pairs gives both.
 /// Threaded, the same bits for any number of threads.
