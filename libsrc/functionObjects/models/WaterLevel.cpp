@@ -98,7 +98,8 @@ private:
 /// layer of one particle on a floor stands d0 above it. A layer counts if it rests on a wall, or if
 /// it is at least minimumDepth spacings deep: drops and single particles above the surface do not.
 /// A vertical without water gets dryLevel if given; else the floor, the lowest height at which wall
-/// ends; else, where there is no wall, the lowest height of any particle.
+/// ends; else, where there is no wall, the lowest height of any particle. A vertical outside the
+/// domain is an error.
 class WaterLevel : public FunctionObject {
 public:
     static Schema keys()
@@ -147,6 +148,7 @@ public:
         if (normSqr(up) == 0)
             dict_.fail("direction",
                        "without gravity there is no upward direction: give direction (x y z)");
+        requireInDomain(flow, up);
         const KernelField field(flow);
         std::vector<Real> levels(points_.size());
         const Range range = extent(field, up);
@@ -179,6 +181,33 @@ private:
     struct Range {
         Real low, high;
     };
+
+    /// Refuses points whose verticals miss the domain.
+    void requireInDomain(const FlowView& flow, const Vec<3>& up) const
+    {
+        const Vector3 &min = flow.domainMin, &max = flow.domainMax;
+        for (const Vector3& point : points_) {
+            Range inside{-std::numeric_limits<Real>::max(), std::numeric_limits<Real>::max()};
+            for (int d = 0; d < flow.dimension; ++d) {
+                if (!(min[d] < max[d])) continue;
+                const Real tolerance = 1e-9 * (max[d] - min[d]);
+                const Real low = min[d] - tolerance - point[d],
+                           high = max[d] + tolerance - point[d];
+                if (std::fabs(up[d]) < 1e-12) {
+                    if (low > 0 || high < 0) inside.high = -std::numeric_limits<Real>::max();
+                    continue;
+                }
+                inside.low = std::max(inside.low, std::min(low / up[d], high / up[d]));
+                inside.high = std::min(inside.high, std::max(low / up[d], high / up[d]));
+            }
+            if (inside.low > inside.high)
+                dict_.fail(dict_.found("at") ? "at" : "line",
+                           fmt::format("the vertical of the point ({} {} {}) lies outside the "
+                                       "domain, which is ({} {} {}) to ({} {} {})",
+                                       point[0], point[1], point[2], min[0], min[1], min[2], max[0],
+                                       max[1], max[2]));
+        }
+    }
 
     /// From the lowest particle to the highest one of the water.
     static Range extent(const KernelField& field, const Vec<3>& up)
