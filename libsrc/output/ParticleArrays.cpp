@@ -6,6 +6,8 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <concepts>
+#include <type_traits>
 
 namespace isph {
 
@@ -13,8 +15,14 @@ namespace {
 
 enum class Absent { isError, isZero };
 
+/// Set is Kind<2> or Kind<3>, const where it is written.
+template <class Set, template <int> class Kind>
+concept OneOf = std::same_as<std::remove_const_t<Set>, Kind<2>> ||
+                std::same_as<std::remove_const_t<Set>, Kind<3>>;
+
 template <class Set, class Each>
-void fieldsOfWater(Set& water, Each&& field)
+    requires OneOf<Set, Water>
+void eachField(Set& water, Each&& field)
 {
     field("U", water.u);
     field("UOld", water.uOld, Absent::isZero);
@@ -24,7 +32,8 @@ void fieldsOfWater(Set& water, Each&& field)
 }
 
 template <class Set, class Each>
-void fieldsOfWalls(Set& walls, Each&& field)
+    requires OneOf<Set, Walls>
+void eachField(Set& walls, Each&& field)
 {
     field("normal", walls.normal);
     field("depth", walls.depth);
@@ -35,7 +44,8 @@ void fieldsOfWalls(Set& walls, Each&& field)
 }
 
 template <class Set, class Each>
-void fieldsOfSoil(Set& soil, Each&& field)
+    requires OneOf<Set, Soil>
+void eachField(Set& soil, Each&& field)
 {
     field("U", soil.u, Absent::isZero);
     field("solidVolume", soil.solidVolume);
@@ -171,14 +181,29 @@ std::vector<Vec<Dim>> pointsOf(const ParticleFile& file)
     return Reading<Dim>(file).points(kFlat * file.number("spacing"));
 }
 
+template <template <int> class Kind, int Dim>
+Kind<Dim> setOf(const ParticleFile& file, const Reading<Dim>& reading)
+{
+    Kind<Dim> set;
+    set.x = pointsOf<Dim>(file);
+    eachField(set, reading);
+    return set;
+}
+
+template <int Dim, class Set>
+ParticleFile fileOfSet(const Set& set, Real spacing)
+{
+    ParticleFile file = withPoints<Dim>(set.x, spacing);
+    eachField(set, Writing{file});
+    return file;
+}
+
 }  // namespace
 
 template <int Dim>
 Water<Dim> waterOf(const ParticleFile& file)
 {
-    Water<Dim> water;
-    water.x = pointsOf<Dim>(file);
-    fieldsOfWater(water, Reading<Dim>(file));
+    auto water = setOf<Water>(file, Reading<Dim>(file));
     if (!file.vectors.contains("UOld")) water.uOld = water.u;
     return water;
 }
@@ -187,9 +212,7 @@ template <int Dim>
 Walls<Dim> wallsOf(const ParticleFile& file)
 {
     const Reading<Dim> reading(file);
-    Walls<Dim> walls;
-    walls.x = pointsOf<Dim>(file);
-    fieldsOfWalls(walls, reading);
+    auto walls = setOf<Walls>(file, reading);
     reading.requireNamed("wall", walls.wall, walls.names.size());
     reading.requireNotNegative("volume", walls.volume);
     reading.requireUnit("normal", walls.normal);
@@ -200,9 +223,7 @@ template <int Dim>
 Soil<Dim> soilOf(const ParticleFile& file)
 {
     const Reading<Dim> reading(file);
-    Soil<Dim> soil;
-    soil.x = pointsOf<Dim>(file);
-    fieldsOfSoil(soil, reading);
+    auto soil = setOf<Soil>(file, reading);
     reading.requireNamed("zone", soil.zone, soil.names.size());
     reading.requireNotNegative("solidVolume", soil.solidVolume);
     return soil;
@@ -211,25 +232,19 @@ Soil<Dim> soilOf(const ParticleFile& file)
 template <int Dim>
 ParticleFile fileOf(const Water<Dim>& water, Real spacing)
 {
-    ParticleFile file = withPoints(water.x, spacing);
-    fieldsOfWater(water, Writing{file});
-    return file;
+    return fileOfSet<Dim>(water, spacing);
 }
 
 template <int Dim>
 ParticleFile fileOf(const Walls<Dim>& walls, Real spacing)
 {
-    ParticleFile file = withPoints(walls.x, spacing);
-    fieldsOfWalls(walls, Writing{file});
-    return file;
+    return fileOfSet<Dim>(walls, spacing);
 }
 
 template <int Dim>
 ParticleFile fileOf(const Soil<Dim>& soil, Real spacing)
 {
-    ParticleFile file = withPoints(soil.x, spacing);
-    fieldsOfSoil(soil, Writing{file});
-    return file;
+    return fileOfSet<Dim>(soil, spacing);
 }
 
 void requireSameCase(const ParticleFile& file, Real spacing, int dimension)

@@ -37,6 +37,16 @@ struct Layer {
     }
 };
 
+/// In two dimensions, below a height.
+void expectEvenSums(const FilledScene& s, Real below, Real tolerance)
+{
+    const std::vector<Real> sums = s.kernelSums();
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        if (s.water.x[i][1] < below) {
+            EXPECT_NEAR(sums[i], 1, tolerance) << s.water.x[i][0] << ' ' << s.water.x[i][1];
+        }
+}
+
 }  // namespace
 
 TEST(FillWater, ABoxOfWholeSpacingsHoldsTheLattice)
@@ -109,11 +119,7 @@ TEST(FillWater, AcrossASoilSurfaceTheKernelSumStaysEven)
                                          " }"
                                          "water { " +
                                          box("w", "0 0 0", "1 0.2 0") + " }"));
-    const std::vector<Real> sums = s.kernelSums();
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        if (s.water.x[i][1] < 0.16) {
-            EXPECT_NEAR(sums[i], 1, 0.025) << s.water.x[i][0] << ' ' << s.water.x[i][1];
-        }
+    expectEvenSums(s, 0.16, 0.025);
 }
 
 TEST(FillWater, InATankTurnedAgainstTheLatticeParticlesKeepTheirDistances)
@@ -127,11 +133,7 @@ TEST(FillWater, InATankTurnedAgainstTheLatticeParticlesKeepTheirDistances)
     EXPECT_GT(nearest, 0.35 * 0.01);
     // water and walls together fill the plane: the sum in the bulk is that of a lattice, and the
     // packing at walls that no lattice fits costs up to 4 %
-    const std::vector<Real> sums = s.kernelSums();
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        if (s.water.x[i][1] < 0.3) {
-            EXPECT_NEAR(sums[i], 1, 0.04) << s.water.x[i][0] << ' ' << s.water.x[i][1];
-        }
+    expectEvenSums(s, 0.3, 0.04);
 }
 
 TEST(FillWater, BeneathASurfaceAtAnAngleToTheLatticeTheFirstLayerIsLevelAndEven)
@@ -160,11 +162,7 @@ TEST(FillWater, ALevelBetweenTwoRowsOfTheLatticeIsLevelAndItsRowsEven)
         EXPECT_EQ(layer.depth.size(), 100u);
         for (Real depth : layer.depth) EXPECT_NEAR(depth, 0.5, 1e-6);
         // a row of 0.3 or 0.7 at once, cut off at its end, leaves 7 %
-        const std::vector<Real> sums = s.kernelSums();
-        for (std::size_t i = 0; i < sums.size(); ++i)
-            if (s.water.x[i][1] < std::stod(level) - 0.04) {
-                EXPECT_NEAR(sums[i], 1, 0.02) << s.water.x[i][0] << ' ' << s.water.x[i][1];
-            }
+        expectEvenSums(s, std::stod(level) - 0.04, 0.02);
     }
 }
 

@@ -65,6 +65,18 @@ protected:
         const ParticleSystem s = particleSystem(scene);
         return solveAndCompare(s.matrix, s.b);
     }
+
+    /// Solves a scene some of whose particles have no level of their own; how many components they
+    /// make.
+    static std::size_t solveFloating(const Scene& scene)
+    {
+        ParticleSystem s = particleSystem(scene);
+        ComponentFinder finder;
+        const FloatingComponents& floating = finder.find(s.matrix, s.anchored);
+        makeSolvable(s.matrix, s.b, floating);
+        EXPECT_TRUE(solveAndCompare(s.matrix, s.b).converged);
+        return floating.size();
+    }
 };
 }  // namespace
 
@@ -100,10 +112,7 @@ TEST_P(EverySolver, SolvesASprayWithThirtyPercentOfTheParticlesMissing)
     for (char& t : there) t = random() % 10 >= 3;
     scene.present = [&](int ix, int iy) { return there[iy * 60 + ix] != 0; };
     scene.atmosphere = [](int ix, int iy) { return iy == 49 || (7 * ix + 3 * iy) % 40 == 0; };
-    ParticleSystem s = particleSystem(scene);
-    ComponentFinder finder;
-    makeSolvable(s.matrix, s.b, finder.find(s.matrix, s.anchored));
-    EXPECT_TRUE(solveAndCompare(s.matrix, s.b).converged);
+    solveFloating(scene);
 }
 
 TEST_P(EverySolver, SolvesFilmsDropsAndLoneParticles)
@@ -118,12 +127,7 @@ TEST_P(EverySolver, SolvesFilmsDropsAndLoneParticles)
     };
     // one particle of each second drop is at the surface; the others have no level of their own
     scene.atmosphere = [](int ix, int iy) { return iy == 59 || (ix % 16 == 0 && iy % 8 == 0); };
-    ParticleSystem s = particleSystem(scene);
-    ComponentFinder finder;
-    const FloatingComponents& floating = finder.find(s.matrix, s.anchored);
-    EXPECT_GT(floating.size(), 100u);
-    makeSolvable(s.matrix, s.b, floating);
-    EXPECT_TRUE(solveAndCompare(s.matrix, s.b).converged);
+    EXPECT_GT(solveFloating(scene), 100u);
 }
 
 TEST_P(EverySolver, SolvesATankIn3DWithLayersOfSoil)
@@ -149,12 +153,7 @@ TEST_P(EverySolver, SolvesABoxWithoutAFreeSurface)
 {
     Scene scene(30, 30);
     scene.atmosphere = [](int, int) { return false; };
-    ParticleSystem s = particleSystem(scene);
-    ComponentFinder finder;
-    const FloatingComponents& floating = finder.find(s.matrix, s.anchored);
-    ASSERT_EQ(floating.size(), 1u);
-    makeSolvable(s.matrix, s.b, floating);
-    EXPECT_TRUE(solveAndCompare(s.matrix, s.b).converged);
+    EXPECT_EQ(solveFloating(scene), 1u);
 }
 
 TEST_P(EverySolver, SolvesJumpsOfTheCoefficientOrSaysThatItDidNot)
