@@ -4,11 +4,12 @@
 #include "operators/Gradient.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isph {
 
 namespace {
-constexpr Real kSoilShare = 0.05;   // a particle with more soil around it takes no dissipation
+constexpr Real kSoilShare = 0.05;   // a particle with more soil around it is one of the soil
 
 constexpr Real kInnerStrength = 8;  // c_r of inner pairs, whose rough part is small, over that of others
 
@@ -32,7 +33,7 @@ struct Carried {
         shear = stretch + Dim, ///< sums of opposite entries below and above it
         used = shear + Dim * (Dim - 1) / 2, size = (used + kLanes - 1) / kLanes * kLanes
     };
-    /// part: 0 in soil, where there is no dissipation, 1 near the surface, 2 inner.
+    /// part: 1 near the surface, 2 inner; negative in soil. No dissipation acts across its face.
     static constexpr Real kClear = 1, kInner = 2;
 };
 
@@ -43,7 +44,7 @@ void smoothPart(const StepFields<Dim>& fields, Index i, const Records<Carried<Di
     using C = Carried<Dim>;
     Real* own = carried[i];
     std::fill(own + C::stretch, own + C::size, 0);
-    if (own[C::part] != C::kInner) return;
+    if (std::abs(own[C::part]) != C::kInner) return;
     OuterSum<Dim> sum;
     fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
         const auto of = carried.template gather<kLanes>(pairs.j);
@@ -124,9 +125,9 @@ private:
     Lanes pullOf(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, const Lanes& VF,
                  const Lanes& approach) const
     {
-        const Real own = partners.own[C::part];
-        if (dissipation == 0 || own < C::kClear) return Lanes{};
-        const Lanes part = partners(C::part);
+        if (dissipation == 0) return Lanes{};
+        const Real own = std::abs(partners.own[C::part]);
+        const Lanes part = partners(C::part) * (partners.own[C::part] < 0 ? Real(-1) : Real(1));
         Lanes a = approach, strength = allLanes(dissipation);
         if (own == C::kInner) {
             a = part == C::kInner ? roughPart<Dim>(partners, x, approach) : approach;
@@ -164,7 +165,7 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         for (int d = 0; d < Dim; ++d)
             to[C::v + d] = eps * ((1 + weights.ratio) * water.u[i][d] - weights.ratio * water.uOld[i][d]);
         const bool inner = fields.role[i] == SurfaceRole::inner;
-        to[C::part] = medium.share(i) >= kSoilShare ? 0 : inner ? C::kInner : C::kClear;
+        to[C::part] = (inner ? C::kInner : C::kClear) * (medium.share(i) >= kSoilShare ? -1 : 1);
         to[C::volume] = points.volume[i];
         to[C::lambda] = lambda[i];
         to[C::viscosity] = (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / eps;

@@ -10,7 +10,7 @@ namespace isph {
 /// viscosity    sum_j V_j nu_ij F_ij (v_j - v_i) 2 Dim/(lambda_i + lambda_j), nu_ij the harmonic mean of
 ///              (nu + nu_T)/eps; walls take part where they do not slip.
 /// dissipation  - sum_j 2 V_j F_ij c_r |v_ij.x_ij| (v_ij.e_ij) e_ij, quadratic in velocity differences; not
-///              across or in soil, whose drag needs no help.                             [theory (7.3)]
+///              across the face of soil.                                              [theory (7.3)]
 /// out          fields.v of water and images.
 template <int Dim, class Medium>
 void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium& medium, const Scheme<Dim>& scheme,
