@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrator/Shifting.hpp"
 
+#include "operators/Gradient.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,15 +23,99 @@ constexpr Real kSoilShare = 0.05;
 constexpr Real kEdge = 1e-12;              // of W(s_i): rounding decides about pairs at the edge of the support
 constexpr Real kSurfaceCollision = 0.95;   // in local spacings: between particles of the surface
 
-/// grad u, row d = grad of component d, from water partners with their correction.
+/// What shifting asks of a partner. Water beside soil sees the Darcy velocity, which is continuous across
+/// the face; pores are swifter.
 template <int Dim>
-Mat<Dim> gradient(const StepFields<Dim>& fields, const std::vector<Vec<Dim>>& u, Index i)
+struct Neighbour {
+    enum Place : int {
+        x = 0, u = Dim, volume = 2 * Dim, lambda, uOld, used = uOld + Dim,
+        size = (used + kLanes - 1) / kLanes * kLanes
+    };
+};
+
+/// Sums over the water partners of a particle, those of every lane apart.
+template <int Dim>
+struct ShiftSum {
+    using N = Neighbour<Dim>;
+    const Real* own;
+    Real WLattice;                            ///< W(s_i)
+    OuterSum<Dim> gradU{}, gradUOld{};        ///< without their correction
+    std::array<Lanes, Dim> concentration{}, normal{};
+    Lanes fastest2{};                         ///< largest |u_ij|^2
+
+    void add(const PairLanes& pairs, const std::array<Lanes, N::size>& of)
+    {
+        std::array<Lanes, Dim> x, u_ij, toPartner, toPartnerOld;
+        const Lanes VSlope = of[N::volume] * pairs.slope;
+        Lanes speed2{};
+        for (int d = 0; d < Dim; ++d) {
+            x[d] = own[N::x + d] - of[N::x + d];
+            u_ij[d] = own[N::u + d] - of[N::u + d];
+            speed2 += u_ij[d] * u_ij[d];
+            toPartner[d] = -VSlope * u_ij[d];
+            toPartnerOld[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
+        }
+        gradU.add(toPartner, x);
+        gradUOld.add(toPartnerOld, x);
+        const Lanes share = pairs.W * (1 / WLattice), squared = share * share;
+        const Lanes crowding = VSlope * (1 + kTensile * squared * squared);
+        const Lanes thinning = VSlope * (of[N::lambda] - own[N::lambda]);
+        for (int d = 0; d < Dim; ++d) concentration[d] += crowding * x[d], normal[d] += thinning * x[d];
+        fastest2 = (share > kEdge) & (speed2 > fastest2) ? speed2 : fastest2;
+    }
+};
+
+template <int Dim>
+Records<Neighbour<Dim>::size> neighboursOf(const StepFields<Dim>& fields, const Water<Dim>& water)
 {
-    Mat<Dim> sum;
-    fields.pairs.forWater(i, [&](const auto& pair) {
-        sum += outer(fields.points.volume[pair.j] * (u[pair.j] - u[i]), pair.gradW());
+    using N = Neighbour<Dim>;
+    const Points<Dim>& points = fields.points;
+    const auto neighbours = fields.pairs.template records<N::size>();
+    parallelFor(points.fluid, [&](Index k) {
+        Real* to = neighbours[k];
+        const Index i = points.owner[k];
+        const Real eps = fields.soil.porosity[i];
+        for (int d = 0; d < Dim; ++d) {
+            to[N::x + d] = points.x[k][d];
+            to[N::u + d] = eps * water.u[i][d], to[N::uOld + d] = eps * water.uOld[i][d];
+        }
+        to[N::volume] = points.volume[k], to[N::lambda] = fields.corrections.lambda[k];
     });
-    return sum * fields.corrections.Lwater[i];   // L is symmetric
+    return neighbours;
+}
+
+template <int Dim>
+Vec<Dim> total(const std::array<Lanes, Dim>& a)
+{
+    Vec<Dim> sum;
+    for (int d = 0; d < Dim; ++d) sum[d] = sumOf(a[d]);
+    return sum;
+}
+
+/// dx_i of (7.1)
+template <int Dim>
+Vec<Dim> shiftOf(const Scheme<Dim>& scheme, Real dt, const StepFields<Dim>& fields, const ShiftSum<Dim>& sum, Index i)
+{
+    const Points<Dim>& points = fields.points;
+    const Real h = points.h[i];
+    Vec<Dim> concentration = total<Dim>(sum.concentration);
+    Real wall = 0;
+    fields.pairs.forWalls(i, [&](const auto& pair) {
+        const Real V = points.volume[pair.j];
+        concentration += (V * (1 + kTensile * sqr(sqr(pair.W / sum.WLattice)))) * pair.gradW();
+        wall += V;
+    });
+    // Where a surface meets a wall its tangent is not known; water would be pumped up the wall.
+    if (wall > 0 && fields.role[i] == SurfaceRole::surface) return {};
+    Real U2 = 0;
+    for (int l = 0; l < kLanes; ++l) U2 = std::max(U2, sum.fastest2[l]);
+    Vec<Dim> step = (-scheme.shifting * h * dt * std::sqrt(U2)) * concentration;
+    if (fields.role[i] != SurfaceRole::inner) {
+        const Vec<Dim> e = unit(total<Dim>(sum.normal));
+        step -= dot(step, e) * e;
+    }
+    const Real most = scheme.largestShift * scheme.spacing * h / scheme.h0, length = norm(step);
+    return length > most ? (most / length) * step : step;
 }
 }  // namespace
 
@@ -37,55 +123,27 @@ template <int Dim>
 Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepFields<Dim>& fields,
            Water<Dim>& water)
 {
-    const Points<Dim>& points = fields.points;
-    const Index n = points.water;
+    const Index n = fields.points.water;
     const Real qLattice = scheme.spacing / scheme.h0;
     Real w = 0, slope = 0;
     kernel.evaluate(Span<const Real>(&qLattice, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
     const Real wLattice = w * kernel.normalisation(Dim);   // W(s_i) h_i^D
-    std::vector<Vec<Dim>> u(water.u), uOld(water.uOld), dx(n), change(n), changeOld(n);
-    // Water beside soil sees the Darcy velocity, which is continuous across the face; pores are swifter.
-    const auto& porosity = fields.soil.porosity;
-    parallelFor(n, [&](Index i) { u[i] *= porosity[i], uOld[i] *= porosity[i]; });
-    u.resize(points.fluid), uOld.resize(points.fluid);
-    points.refresh(u), points.refresh(uOld);
+    const auto neighbours = neighboursOf(fields, water);
     std::vector<Real> divergence(n, 0);
     parallelForDynamic(n, [&](Index i) {
-        const Real lambda = fields.corrections.lambda[i];
-        const Mat<Dim> gradU = gradient(fields, u, i);
+        const Real h = fields.points.h[i];
+        ShiftSum<Dim> sum{neighbours[i], wLattice / (Dim == 2 ? sqr(h) : cube(h))};
+        fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) { sum.add(pairs, neighbours.gather(pairs.j)); });
+        const Mat<Dim>& L = fields.corrections.Lwater[i];   // symmetric
+        const Mat<Dim> gradU = sum.gradU.total() * L;
         if (fields.role[i] == SurfaceRole::inner) divergence[i] = sqr(dt * trace(gradU));
         const bool inSoil = !fields.soil.share.empty() && fields.soil.share[i] > kSoilShare;
-        if (scheme.shifting == 0 || lambda < kLeastSupport * Dim || inSoil) return;
-        const Real h = points.h[i], WLattice = wLattice / (Dim == 2 ? sqr(h) : cube(h));
-        Vec<Dim> concentration, normal;
-        Real U2 = 0, wall = 0;
-        fields.pairs.forAll(i, [&](const auto& pair) {
-            const Real V = points.volume[pair.j];
-            concentration += (V * (1 + kTensile * sqr(sqr(pair.W / WLattice)))) * pair.gradW();
-            if (pair.j < points.fluid) {
-                normal += (V * (fields.corrections.lambda[pair.j] - lambda)) * pair.gradW();
-                if (pair.W > kEdge * WLattice) U2 = std::max(U2, normSqr(u[i] - u[pair.j]));
-            } else {
-                wall += V;
-            }
-        });
-        // Where a surface meets a wall its tangent is not known; water would be pumped up the wall.
-        if (wall > 0 && fields.role[i] == SurfaceRole::surface) return;
-        Vec<Dim> step = (-scheme.shifting * h * dt * std::sqrt(U2)) * concentration;
-        if (fields.role[i] != SurfaceRole::inner) {
-            const Vec<Dim> e = unit(normal);
-            step -= dot(step, e) * e;
-        }
-        const Real most = scheme.largestShift * scheme.spacing * h / scheme.h0, length = norm(step);
-        if (length > most) step *= most / length;
-        dx[i] = step;
-        change[i] = (1 / porosity[i]) * (gradU * step);
-        changeOld[i] = (1 / porosity[i]) * (gradient(fields, uOld, i) * step);
-    });
-    parallelFor(n, [&](Index i) {
-        water.x[i] += dx[i];
-        water.u[i] += change[i];
-        water.uOld[i] += changeOld[i];
+        if (scheme.shifting == 0 || fields.corrections.lambda[i] < kLeastSupport * Dim || inSoil) return;
+        const Vec<Dim> step = shiftOf(scheme, dt, fields, sum, i);
+        const Real eps = fields.soil.porosity[i];
+        water.x[i] += step;
+        water.u[i] += (1 / eps) * (gradU * step);
+        water.uOld[i] += (1 / eps) * (sum.gradUOld.total() * (L * step));
     });
     return std::sqrt(orderedSum(n, [&](Index i) { return divergence[i]; }) / std::max<Index>(1, n));
 }
@@ -98,11 +156,14 @@ void collide(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, Span<cons
     std::vector<Vec<Dim>> u(water.u);
     u.resize(points.fluid);
     points.refresh(u);
+    const Real farthest = std::max(kSurfaceCollision, scheme.collisionDistance);
     parallelForDynamic(points.water, [&](Index i) {
         const Real spacing = scheme.spacing * points.h[i] / scheme.h0;
         const bool surface = fields.role[i] == SurfaceRole::surface;
+        const bool near = fields.pairs.nearest(i) < (surface ? farthest : scheme.collisionDistance) * spacing;
+        if (!near && fields.pairs.wallNeighbours(i) == 0) return;
         Vec<Dim> change;
-        fields.pairs.forWater(i, [&](const auto& pair) {
+        if (near) fields.pairs.forWater(i, [&](const auto& pair) {
             const bool both = surface && fields.role[pair.j] == SurfaceRole::surface;
             const Real reach = (both ? kSurfaceCollision : scheme.collisionDistance) * spacing;
             const Real r2 = normSqr(pair.x_ij), approach = dot(u[i] - u[pair.j], pair.x_ij);
