@@ -147,7 +147,7 @@ template <int Dim>
 void PairList<Dim>::RowSearch::evaluate(Index i)
 {
     const Vec<Dim> xi = list_.points_->x[i];
-    const Real hi = list_.points_->h[i], sigma = list_.sigma_;
+    const Real hi = list_.points_->h[i], sigma = list_.sigma_, largestH = list_.largestH_;
     for (Index k = 0; k < size_; ++k) {
         Real r2 = 0;
         for (int d = 0; d < Dim; ++d) r2 += sqr(xi[d] - list_.cellX_[d][place_[k]]);
@@ -169,9 +169,9 @@ void PairList<Dim>::RowSearch::evaluate(Index i)
     kernel_.evaluate({q, n}, {w_.data(), n}, {s_.data(), n});
 #pragma omp simd
     for (Index k = 0; k < size_; ++k) {
-        const Real scale = sigma * power(h[k]);
+        const Real ratio = largestH * h[k], scale = sigma * power(ratio);
         W[k] = static_cast<float>(w[k] * scale);
-        slope[k] = static_cast<float>(s[k] * scale * (h[k] * h[k]));
+        slope[k] = static_cast<float>(s[k] * scale * (ratio * ratio));
     }
 }
 
@@ -230,6 +230,8 @@ void PairList<Dim>::build(const Points<Dim>& points, const Kernel& kernel)
     Real w0 = 0, s0 = 0;
     kernel.evaluate(Span<const Real>(&zero, 1), Span<Real>(&w0, 1), Span<Real>(&s0, 1));
     selfW0_ = sigma_ * w0;
+    unitW_ = 1 / power(largestH_);
+    unitSlope_ = unitW_ / sqr(largestH_);
     binByCells(points.x, reach(), grid_);
     sortByCells();
     const Index blocks = (points.water + kBlockRows - 1) / kBlockRows;

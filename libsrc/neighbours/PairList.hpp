@@ -61,7 +61,7 @@ public:
                 for (Index l = 0; l < end - k; ++l) lastJ[l] = j[l], lastW[l] = W[l], lastSlope[l] = slope[l];
                 j = lastJ.data(), W = lastW.data(), slope = lastSlope.data();
             }
-            f(PairLanes{j, loadLanes(W), loadLanes(slope)});   // called at one place, so that it is inlined
+            f(PairLanes{j, loadLanes(W) * unitW_, loadLanes(slope) * unitSlope_});   // called at one place, so that it is inlined
         }
     }
 
@@ -88,7 +88,8 @@ private:
         Index start, wallStart, end;   ///< places in the row's block
         float nearest;                 ///< [m]
     };
-    /// Pairs of kBlockRows rows.
+    /// Pairs of kBlockRows rows, kernel and slope in units made of the largest h: of the same digits in water of
+    /// any size.
     struct Block {
         std::vector<Index> j;
         std::vector<float> W, slope;
@@ -110,7 +111,7 @@ private:
         const float *W = block.W.data(), *slope = block.slope.data();
         const auto* x = points_->x.data();
         const Vec<Dim> xi = x[i];
-        for (Index k = from; k < to; ++k) f(Pair{j[k], W[k], slope[k], xi - x[j[k]]});
+        for (Index k = from; k < to; ++k) f(Pair{j[k], W[k] * unitW_, slope[k] * unitSlope_, xi - x[j[k]]});
     }
     template <class F>
     void loopBatches(Index i, Index from, Index to, F&& f) const
@@ -128,7 +129,7 @@ private:
                 const Vec<Dim> xj = x[j[first + k]];
                 for (int d = 0; d < Dim; ++d) batch.x[d][k] = xi[d] - xj[d];
             }
-            for (Index k = 0; k < n; ++k) batch.W[k] = W[first + k], batch.slope[k] = slope[first + k];
+            for (Index k = 0; k < n; ++k) batch.W[k] = W[first + k] * unitW_, batch.slope[k] = slope[first + k] * unitSlope_;
             batch.count = n;
             batch.size = (n + kLanes - 1) / kLanes * kLanes;
             for (Index k = n; k < batch.size; ++k) {
@@ -147,6 +148,7 @@ private:
     std::array<std::vector<Real>, Dim> cellX_;   ///< coordinates of all points in the order of the cells
     std::vector<Real> cellH_;                    ///< their h
     Real support_ = 0, sigma_ = 0, selfW0_ = 0, largestH_ = 0;
+    Real unitW_ = 1, unitSlope_ = 1;
     std::vector<Row> row_;
     std::vector<Block> block_;
     mutable RecordStore store_;
