@@ -191,8 +191,8 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
             sum.add({carried[i], carried.gather(pairs.j)}, pairs.slope);
         });
-        Vec<Dim> rate, v_i;
-        for (int d = 0; d < Dim; ++d) rate[d] = sumOf(sum.rate[d]), v_i[d] = carried[i][C::v + d];
+        Vec<Dim> rate = sumOf(sum.rate), v_i;
+        for (int d = 0; d < Dim; ++d) v_i[d] = carried[i][C::v + d];
         const Real nu_i = carried[i][C::viscosity];
         if (!walls.noSlip.empty())
             fields.pairs.forWalls(i, [&](const auto& pair) {

@@ -84,21 +84,13 @@ Records<Neighbour<Dim>::size> neighboursOf(const StepFields<Dim>& fields, const 
     return neighbours;
 }
 
-template <int Dim>
-Vec<Dim> total(const std::array<Lanes, Dim>& a)
-{
-    Vec<Dim> sum;
-    for (int d = 0; d < Dim; ++d) sum[d] = sumOf(a[d]);
-    return sum;
-}
-
 /// dx_i of (7.1)
 template <int Dim>
 Vec<Dim> shiftOf(const Scheme<Dim>& scheme, Real dt, const StepFields<Dim>& fields, const ShiftSum<Dim>& sum, Index i)
 {
     const Points<Dim>& points = fields.points;
     const Real h = points.h[i];
-    Vec<Dim> concentration = total<Dim>(sum.concentration);
+    Vec<Dim> concentration = sumOf(sum.concentration);
     Real wall = 0;
     fields.pairs.forWalls(i, [&](const auto& pair) {
         const Real V = points.volume[pair.j];
@@ -111,7 +103,7 @@ Vec<Dim> shiftOf(const Scheme<Dim>& scheme, Real dt, const StepFields<Dim>& fiel
     for (int l = 0; l < kLanes; ++l) U2 = std::max(U2, sum.fastest2[l]);
     Vec<Dim> step = (-scheme.shifting * h * dt * std::sqrt(U2)) * concentration;
     if (fields.role[i] != SurfaceRole::inner) {
-        const Vec<Dim> e = unit(total<Dim>(sum.normal));
+        const Vec<Dim> e = unit(sumOf(sum.normal));
         step -= dot(step, e) * e;
     }
     const Real most = scheme.largestShift * scheme.spacing * h / scheme.h0, length = norm(step);

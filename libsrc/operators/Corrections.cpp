@@ -85,14 +85,16 @@ void Corrections<Dim>::compute(const Points<Dim>& points, const PairList<Dim>& p
         };
         pairs.forWaterBatches(i, add);
         Mat<Dim> A = moments.matrix();
-        L[i] = Lwater[i] = blendedInverse(A);
+        Mat<Dim> inverseA = blendedInverse(A);
+        Lwater[i] = inverseA;
         lambdaWater[i] = trace(A);
         if (pairs.wallNeighbours(i) > 0) {
             pairs.forWallBatches(i, add);
             A = moments.matrix();
-            L[i] = blendedInverse(A);
+            inverseA = blendedInverse(A);
         }
-        seen[i] = exceeds(A, kBlendTo) ? Mat<Dim>::identity() : L[i] * A;
+        L[i] = inverseA;
+        seen[i] = exceeds(A, kBlendTo) ? Mat<Dim>::identity() : inverseA * A;
         lambda[i] = trace(A);
         filling[i] = points.volume[i] * pairs.selfW(i) + sumOf(moments.fill);
         lopsided[i] = moments.lopsided();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every operator of a step needs to know about a particle's support.       [theory (2.7)-(2.10)]
 #pragma once
+#include "core/SymMat.hpp"
 #include "neighbours/PairList.hpp"
 
 #include <vector>
@@ -18,10 +19,10 @@ struct Corrections {
     std::vector<Real> filling;
     /// Corrections L of grad f = sum_j V_j (f_j - f_i) L gradW_ij, exact for linear f: with water and
     /// walls (for the divergence), with water only (for the pressure gradient).      [Bonet & Lok 1999]
-    std::vector<Mat<Dim>> L, Lwater;
+    std::vector<SymMat<Dim>> L, Lwater;
     /// L A with the A that L inverts: the identity where L is the full inverse; what is missing from
     /// it is the share of a linear field that the blended gradient does not see.
-    std::vector<Mat<Dim>> seen;
+    std::vector<SymMat<Dim>> seen;
     /// sum_j V_j F_ij x_ij over water and walls [1/m]: zero where the support is complete.
     std::vector<Vec<Dim>> lopsided;
 

@@ -5,6 +5,15 @@
 
 namespace isph {
 
+/// The sum of the lanes of every component.
+template <std::size_t Dim>
+Vec<static_cast<int>(Dim)> sumOf(const std::array<Lanes, Dim>& a)
+{
+    Vec<static_cast<int>(Dim)> sum;
+    for (std::size_t d = 0; d < Dim; ++d) sum[static_cast<int>(d)] = sumOf(a[d]);
+    return sum;
+}
+
 /// Sum over the pairs of a row of a (x) b, those of every lane apart.
 template <int Dim>
 struct OuterSum {

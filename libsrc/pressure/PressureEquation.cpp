@@ -180,8 +180,7 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
                 if (of[P::row][l] < 0) known += weight[l] * source.surfacePressure[points.owner[eight.j[l]]];
         });
         anchored[r] = entry - matrix.rowStart[r] < pairs.waterNeighbours(i);
-        Vec<Dim> side, wallGradient;
-        for (int d = 0; d < Dim; ++d) side[d] = sumOf(sum.side[d]);
+        Vec<Dim> wallGradient;
         pairs.forWalls(i, [&](const auto& pair) { wallGradient += points.volume[pair.j] * pair.gradW(); });
         const Mat<Dim>& L = corrections.L[i];
         const Real divergence = contract(L, sum.flux.total())
@@ -192,7 +191,7 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
             deferred = -medium.beta(i) * dot(c, corrections.lopsided[i]);
         }
         matrix.diagonal[r] = V_i * sumOf(sum.diagonal);
-        rhs[r] = -V_i * (divergence - source.divergence[i] - dot(source.force, side) + deferred - known);
+        rhs[r] = -V_i * (divergence - source.divergence[i] - dot(source.force, sumOf(sum.side)) + deferred - known);
         if (points.images() > 0) sortRow(matrix, matrix.rowStart[r], matrix.rowStart[r + 1]);
     });
     // A row without neighbours has no pressure; a one keeps the matrix positive definite.
