@@ -152,20 +152,25 @@ Real sampledVolume(const CaseGeometry& g)
     return volume * static_cast<Real>(inside);
 }
 
-/// Refuses a spacing of which the particles can neither be numbered nor held in memory, before the first
-/// one is laid. Where the whole domain could be filled nothing is sampled.
+/// Refuses a spacing of which the particles can neither be numbered nor held in memory, before the
+/// first one is laid. Where the whole domain could be filled nothing is sampled.
 void requireCountable(const Dictionary& dict, const CaseGeometry& g)
 {
-    constexpr Real leastBytes = 150;   // of a particle while it is laid: position, velocity, packing
-    const Real memory = static_cast<Real>(sysconf(_SC_PHYS_PAGES)) * static_cast<Real>(sysconf(_SC_PAGESIZE));
+    constexpr Real leastBytes = 150;  // of a particle while it is laid: position, velocity, packing
+    const Real memory =
+        static_cast<Real>(sysconf(_SC_PHYS_PAGES)) * static_cast<Real>(sysconf(_SC_PAGESIZE));
     const Real most = std::min(memory / leastBytes, Real(std::numeric_limits<Index>::max()));
     Real domain = 1;
     for (int d = 0; d < g.dimension; ++d) domain *= g.domain.max[d] - g.domain.min[d];
     if (domain / g.cellVolume() < most) return;
     const Real count = sampledVolume(g) / g.cellVolume();
     if (count < most) return;
-    dict.fail("spacing", fmt::format("spacing {} m asks for about {:.2g} particles; this machine ({:.2g} GB) holds {:.2g} "
-                                     "at the very most", g.spacing, count, 1e-9 * memory, most));
+    dict.fail(
+        "spacing",
+        fmt::format(
+            "spacing {} m asks for about {:.2g} particles; this machine ({:.2g} GB) holds {:.2g} "
+            "at the very most",
+            g.spacing, count, 1e-9 * memory, most));
 }
 
 }  // namespace

@@ -62,7 +62,8 @@ Schema wallConditionKeys()
     return {Key::word("condition", "slip: no friction; noSlip: water at the wall moves with it")
                 .oneOf({"slip", "noSlip"})
                 .byDefault("slip"),
-            Key::vector("velocity", "of a noSlip wall's surface, along itself [m/s]").units(dims::velocity)
+            Key::vector("velocity", "of a noSlip wall's surface, along itself [m/s]")
+                .units(dims::velocity)
                 .mayBeAbsent()};
 }
 
@@ -82,7 +83,8 @@ Vector3 readForce(const Dictionary& gravity, int dimension)
     for (const std::string key : {"value", "bodyForce"}) {
         const auto part = gravityKeys().get<Vector3>(gravity, key);
         if (dimension == 2 && part[2] != 0)
-            gravity.fail(key, "a case of two dimensions lies in x and y: the third component has to be 0");
+            gravity.fail(
+                key, "a case of two dimensions lies in x and y: the third component has to be 0");
         for (std::size_t d = 0; d < 3; ++d) force[d] += part[d];
     }
     return force;

@@ -143,19 +143,25 @@ void Time::readControls()
     modifiable_ = keys.get<bool>(controlDict_, "runTimeModifiable");
 }
 
-/// Of a start: endTime lies ahead (or was reached within the half step that run() allows), and a first
-/// step of fixed size does not pass it.
+/// Of a start: endTime lies ahead (or was reached within the half step that run() allows), and a
+/// first step of fixed size does not pass it.
 void Time::requireWayToGo() const
 {
     const Real step = std::max(deltaT_, adjustTimeStep_ ? 0 : fixedDeltaT_);
     const Real rounding = 1e-6 * std::abs(value_);
     if (endTime_ < value_ - 0.5 * step - rounding)
-        controlDict_.fail("endTime", fmt::format("endTime {} s lies before the start of the run, {} s. Choose another "
-                                                 "endTime, or the start by startFrom and startTime.", endTime_, value_));
-    const bool fitted = adjustTimeStep_ || writeControl_.kind() == TimeControl::Kind::adjustableRunTime;
-    if (index_ == 0 && !fitted && endTime_ > value_ && fixedDeltaT_ > (endTime_ - value_) * (1 + 1e-6))
-        controlDict_.fail("deltaT", fmt::format("deltaT {} s is longer than the whole run, {} s to {} s",
-                                                fixedDeltaT_, value_, endTime_));
+        controlDict_.fail(
+            "endTime",
+            fmt::format("endTime {} s lies before the start of the run, {} s. Choose another "
+                        "endTime, or the start by startFrom and startTime.",
+                        endTime_, value_));
+    const bool fitted =
+        adjustTimeStep_ || writeControl_.kind() == TimeControl::Kind::adjustableRunTime;
+    if (index_ == 0 && !fitted && endTime_ > value_ &&
+        fixedDeltaT_ > (endTime_ - value_) * (1 + 1e-6))
+        controlDict_.fail("deltaT",
+                          fmt::format("deltaT {} s is longer than the whole run, {} s to {} s",
+                                      fixedDeltaT_, value_, endTime_));
 }
 
 void Time::rereadIfModified()

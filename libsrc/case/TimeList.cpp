@@ -130,10 +130,12 @@ bool isNameOf(const std::string& name, Real value)
 void requireSound(const Dictionary& dict, const TimeState& state, const TimeFolder& folder)
 {
     if (state.name != folder.name || !isNameOf(state.name, state.value))
-        dict.fail(state.name != folder.name ? "name" : "value",
-                  fmt::format("The time folder {} holds the state of time {} ({} s): was it renamed?\nRename it back; or, "
-                              "to start anew from its particles, call it 0 and remove its uniform/time.",
-                              folder.name, state.name, state.value));
+        dict.fail(
+            state.name != folder.name ? "name" : "value",
+            fmt::format("The time folder {} holds the state of time {} ({} s): was it "
+                        "renamed?\nRename it back; or, "
+                        "to start anew from its particles, call it 0 and remove its uniform/time.",
+                        folder.name, state.name, state.value));
     const auto notNegative = [&](const std::string& key, Real value) {
         if (value < 0) dict.fail(key, fmt::format("{} is {}, allowed: {} >= 0", key, value, key));
     };

@@ -19,13 +19,18 @@ int reportFatal(const std::exception& error)
 {
     std::fflush(stdout);
     if (const auto* io = dynamic_cast<const FatalIOError*>(&error)) {
-        const std::string place = io->line() > 0 ? fmt::format("{} at line {}.", io->file(), io->line())
-                                                 : fmt::format("{}.", io->file());
-        fmt::print(stderr, "\n\n--> FOAM FATAL IO ERROR:\n{}\n\nfile: {}\n\nFOAM exiting\n\n", io->what(), place);
+        const std::string place = io->line() > 0
+                                      ? fmt::format("{} at line {}.", io->file(), io->line())
+                                      : fmt::format("{}.", io->file());
+        fmt::print(stderr, "\n\n--> FOAM FATAL IO ERROR:\n{}\n\nfile: {}\n\nFOAM exiting\n\n",
+                   io->what(), place);
     } else {
-        const bool memory = dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const std::length_error*>(&error);
+        const bool memory = dynamic_cast<const std::bad_alloc*>(&error) ||
+                            dynamic_cast<const std::length_error*>(&error);
         fmt::print(stderr, "\n\n--> FOAM FATAL ERROR:\n{}\n\nFOAM exiting\n\n",
-                   memory ? "Out of memory: the case asks for more particles than this machine holds." : error.what());
+                   memory
+                       ? "Out of memory: the case asks for more particles than this machine holds."
+                       : error.what());
     }
     return 1;
 }

@@ -40,7 +40,8 @@ std::string textOfFile(const std::filesystem::path& file)
     std::error_code ignored;
     const int cause = std::filesystem::is_directory(file, ignored) ? EISDIR : errno;
     if (!stream || cause == EISDIR)
-        throw FatalIOError(fmt::format("cannot open file: {}", std::strerror(cause)), file.string(), 0);
+        throw FatalIOError(fmt::format("cannot open file: {}", std::strerror(cause)), file.string(),
+                           0);
     std::ostringstream text;
     text << stream.rdbuf();
     return text.str();
@@ -186,9 +187,10 @@ void DictionaryParser::place(DictionaryEntry entry)
 
 void DictionaryParser::parseSubDict(DictionaryEntry entry, const Lexeme& brace)
 {
-    constexpr std::size_t most = 200;   // far above any case's, far below what recursion bears
+    constexpr std::size_t most = 200;  // far above any case's, far below what recursion bears
     if (state_.scopes.size() > most)
-        fail(fmt::format("Dictionaries are nested more than {} deep: is a '}}' missing?", most), brace.line);
+        fail(fmt::format("Dictionaries are nested more than {} deep: is a '}}' missing?", most),
+             brace.line);
     OpenBrace opened{brace.line, lexer_.indentOf(brace.begin)};
     const DictionaryEntry* old = existing(entry);
     Dictionary* dict = old && state_.mode == InputMode::merge ? old->dict.get() : nullptr;

@@ -54,7 +54,8 @@ void checkList(const Dictionary& dict, const Key& key)
     checkDimensions(dict, key.name, key.dimensions);
     const std::vector<Token>& tokens = dict.tokens(key.name);
     const bool opens = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
-        return t.kind == Token::Kind::punctuation && (t.text == "(" || t.text == "{" || t.text == "[");
+        return t.kind == Token::Kind::punctuation &&
+               (t.text == "(" || t.text == "{" || t.text == "[");
     });
     if (!opens)
         dict.fail(key.name,
@@ -67,8 +68,7 @@ void checkValue(const Dictionary& dict, const Key& key)
 {
     switch (key.type) {
         case KeyType::scalar:  // or one of the allowed words: "relaxationTime auto;"
-            if (!key.allowed.empty() &&
-                dict.tokens(key.name).front().kind == Token::Kind::word)
+            if (!key.allowed.empty() && dict.tokens(key.name).front().kind == Token::Kind::word)
                 break;
             checkRange(dict, key, dict.get<Real>(key.name, key.dimensions));
             return;

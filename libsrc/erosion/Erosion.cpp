@@ -7,14 +7,16 @@
 namespace isph {
 
 namespace {
-constexpr Real kSurfaceShare = 0.85;    // phi at a bed particle: 0.74 in the top row, 0.97 in the next
-constexpr Real kSight = 2;              // in d0: how far a grain sees water
-constexpr Real kClearPorosity = 0.7;    // water with fewer grains around it is that of the flow
-constexpr Real kLeastWater = 0.3;       // volume of it in d0^D for a bed particle to be wet
-constexpr Real kRepulsion = 15;         // of grains denser than intact soil, in d0 w_s grad C
-constexpr Real kPacked = 0.7;           // of intact soil, the particle itself not counted (it has 0.25)
+constexpr Real kSurfaceShare =
+    0.85;                   // phi at a bed particle: 0.74 in the top row, 0.97 in the next
+constexpr Real kSight = 2;  // in d0: how far a grain sees water
+constexpr Real kClearPorosity = 0.7;  // water with fewer grains around it is that of the flow
+constexpr Real kLeastWater = 0.3;     // volume of it in d0^D for a bed particle to be wet
+constexpr Real kRepulsion = 15;       // of grains denser than intact soil, in d0 w_s grad C
+constexpr Real kPacked = 0.7;  // of intact soil, the particle itself not counted (it has 0.25)
 
-/// Volume mean of the velocity of water of at least that porosity within reach of x, and its volume.
+/// Volume mean of the velocity of water of at least that porosity within reach of x, and its
+/// volume.
 template <int Dim>
 struct Seen {
     Vec<Dim> u{};
@@ -22,7 +24,8 @@ struct Seen {
 };
 
 template <int Dim>
-Seen<Dim> lookAround(const WaterAround<Dim>& water, const Vec<Dim>& x, Real reach, Real leastPorosity)
+Seen<Dim> lookAround(const WaterAround<Dim>& water, const Vec<Dim>& x, Real reach,
+                     Real leastPorosity)
 {
     Seen<Dim> seen;
     water.grid.forEachNear(x, reach, [&](Index j) {
@@ -106,10 +109,11 @@ void Erosion<Dim>::move(const WaterAround<Dim>& water, const PorousField<Dim>& f
         const SoilSums<Dim> around = field.at(soil.x[k] + dt * u, k);
         const Real intact = 1 - field.zones()[static_cast<std::size_t>(soil.zone[k])].porosity;
         if (around.solid / around.open > kPacked * intact || around.open < Real(0.6)) {
-            const Vec<Dim> into = unit(around.gradSolid);   // towards more solids, or the wall
+            const Vec<Dim> into = unit(around.gradSolid);  // towards more solids, or the wall
             u -= std::max(Real(0), dot(u, into)) * into;
         }
-        // Grains that are denser than the bed push each other apart, at most as fast as they settle.
+        // Grains that are denser than the bed push each other apart, at most as fast as they
+        // settle.
         const Real surplus = here.solid / here.open / intact - 1;
         if (surplus > 0) {
             const Vec<Dim> push = (-kRepulsion * spacing_ * fall * surplus) * here.gradSolid;

@@ -50,8 +50,8 @@ public:
     bool due(const StepInstant& now);
     /// The same after the last step of a run: those that measure at its end and have not done so.
     bool dueAtEnd(const StepInstant& now);
-    /// Every enabled one that is not past its endTime or before its startTime, whatever its controls: of a
-    /// state that was written, measured afterwards.
+    /// Every enabled one that is not past its endTime or before its startTime, whatever its
+    /// controls: of a state that was written, measured afterwards.
     bool dueAll(const StepInstant& now);
     /// Measures and writes what the last due() or dueAtEnd() found.
     void execute(const FlowView& flow);

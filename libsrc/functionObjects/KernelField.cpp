@@ -82,8 +82,8 @@ KernelCloud::KernelCloud(const FlowView& flow, Span<const Vector3> position,
     sortByCells();
 }
 
-/// Cells of half the reach: the cube of those that a ball touches then holds 2.5^3 in place of 3^3 of what
-/// a cube of the reach holds, and a row of them is one run through memory.
+/// Cells of half the reach: the cube of those that a ball touches then holds 2.5^3 in place of 3^3
+/// of what a cube of the reach holds, and a row of them is one run through memory.
 void KernelCloud::sortByCells()
 {
     constexpr Real perReach = 2;
@@ -123,8 +123,8 @@ void KernelCloud::gather(const Vec<3>& x, KernelSamples& samples) const
 {
     if (position_.empty()) return samples.resize(0);
     const Real supportSqr = sqr(kernel_->supportRadius());
-    // Two in three candidates lie outside the ball, in no order: each is written and the next one takes
-    // its place, without a branch to be guessed.
+    // Two in three candidates lie outside the ball, in no order: each is written and the next one
+    // takes its place, without a branch to be guessed.
     thread_local std::vector<Index> found;
     const Vec<3>* const position = position_.data();
     const Real* const inverseH = inverseH_.data();

@@ -18,10 +18,10 @@ enum class Absent { isError, isZero };
 /// Set is Kind<2> or Kind<3>, const where it is written.
 template <class Set, template <int> class Kind>
 concept OneOf = std::same_as<std::remove_const_t<Set>, Kind<2>> ||
-                std::same_as<std::remove_const_t<Set>, Kind<3>>;
+    std::same_as<std::remove_const_t<Set>, Kind<3>>;
 
 template <class Set, class Each>
-    requires OneOf<Set, Water>
+requires OneOf<Set, Water>
 void eachField(Set& water, Each&& field)
 {
     field("U", water.u);
@@ -32,7 +32,7 @@ void eachField(Set& water, Each&& field)
 }
 
 template <class Set, class Each>
-    requires OneOf<Set, Walls>
+requires OneOf<Set, Walls>
 void eachField(Set& walls, Each&& field)
 {
     field("normal", walls.normal);
@@ -44,7 +44,7 @@ void eachField(Set& walls, Each&& field)
 }
 
 template <class Set, class Each>
-    requires OneOf<Set, Soil>
+requires OneOf<Set, Soil>
 void eachField(Set& soil, Each&& field)
 {
     field("U", soil.u, Absent::isZero);
@@ -65,23 +65,28 @@ class Reading {
 public:
     explicit Reading(const ParticleFile& file) : file_(file) {}
 
-    void operator()(const std::string& name, std::vector<Vec<Dim>>& to, Absent absent = Absent::isError) const
+    void operator()(const std::string& name, std::vector<Vec<Dim>>& to,
+                    Absent absent = Absent::isError) const
     {
         const auto* from = find(file_.vectors, name, absent);
         to.assign(file_.size(), {});
         for (std::size_t i = 0; from && i < to.size(); ++i) to[i] = finite(name, (*from)[i], i);
     }
-    void operator()(const std::string& name, std::vector<Real>& to, Absent absent = Absent::isError) const
+    void operator()(const std::string& name, std::vector<Real>& to,
+                    Absent absent = Absent::isError) const
     {
         const auto* from = find(file_.scalars, name, absent);
         to.assign(file_.size(), 0);
         for (std::size_t i = 0; from && i < to.size(); ++i) to[i] = finite(name, (*from)[i], i);
     }
-    void operator()(const std::string& name, std::vector<std::int64_t>& to, Absent absent = Absent::isError) const
+    void operator()(const std::string& name, std::vector<std::int64_t>& to,
+                    Absent absent = Absent::isError) const
     {
         const auto* from = find(file_.integers, name, absent);
-        if (from) to = *from;
-        else to.assign(file_.size(), 0);
+        if (from)
+            to = *from;
+        else
+            to.assign(file_.size(), 0);
     }
     void names(const std::string& name, std::vector<std::string>& to) const
     {
@@ -94,46 +99,56 @@ public:
         for (std::size_t i = 0; i < x.size(); ++i) {
             x[i] = finite("points", file_.points[i], i);
             if (Dim == 2 && !(std::abs(file_.points[i][2]) <= flat))
-                fail(file_, fmt::format("Particle {} has z = {:g} in a case of two dimensions.", i, file_.points[i][2]));
+                fail(file_, fmt::format("Particle {} has z = {:g} in a case of two dimensions.", i,
+                                        file_.points[i][2]));
         }
         return x;
     }
     /// Every index has a name.
-    void requireNamed(const std::string& name, const std::vector<std::int64_t>& index, std::size_t count) const
+    void requireNamed(const std::string& name, const std::vector<std::int64_t>& index,
+                      std::size_t count) const
     {
         for (std::size_t i = 0; i < index.size(); ++i)
             if (index[i] < 0 || index[i] >= static_cast<std::int64_t>(count))
-                fail(file_, fmt::format("{} of particle {} is {}, but the list {}Names has {} names, from 0 on.", name,
-                                        i, index[i], name, count));
+                fail(file_,
+                     fmt::format(
+                         "{} of particle {} is {}, but the list {}Names has {} names, from 0 on.",
+                         name, i, index[i], name, count));
     }
     void requireNotNegative(const std::string& name, const std::vector<Real>& values) const
     {
         for (std::size_t i = 0; i < values.size(); ++i)
             if (values[i] < 0)
-                fail(file_, fmt::format("{} of particle {} is {:g}, allowed: {} >= 0.", name, i, values[i], name));
+                fail(file_, fmt::format("{} of particle {} is {:g}, allowed: {} >= 0.", name, i,
+                                        values[i], name));
     }
     void requireUnit(const std::string& name, const std::vector<Vec<Dim>>& values) const
     {
-        constexpr Real rounding = 1e-6;   // of a program that keeps them in single precision
+        constexpr Real rounding = 1e-6;  // of a program that keeps them in single precision
         for (std::size_t i = 0; i < values.size(); ++i)
             if (!(std::abs(norm(values[i]) - 1) <= rounding))
-                fail(file_, fmt::format("{} of particle {} has the length {:g}, allowed: 1.", name, i, norm(values[i])));
+                fail(file_, fmt::format("{} of particle {} has the length {:g}, allowed: 1.", name,
+                                        i, norm(values[i])));
     }
 
 private:
     template <class Map>
-    const typename Map::mapped_type* find(const Map& fields, const std::string& name, Absent absent) const
+    const typename Map::mapped_type* find(const Map& fields, const std::string& name,
+                                          Absent absent) const
     {
         const auto it = fields.find(name);
         if (it != fields.end()) return &it->second;
         if (absent == Absent::isError)
-            fail(file_, fmt::format("The array {} is missing.\nWas the file written by createParticles or "
-                                    "isphPorousFoam?", name));
+            fail(file_,
+                 fmt::format("The array {} is missing.\nWas the file written by createParticles or "
+                             "isphPorousFoam?",
+                             name));
         return nullptr;
     }
     Real finite(const std::string& name, Real value, std::size_t i) const
     {
-        if (!std::isfinite(value)) fail(file_, fmt::format("{} of particle {} is {:g}.", name, i, value));
+        if (!std::isfinite(value))
+            fail(file_, fmt::format("{} of particle {} is {:g}.", name, i, value));
         return value;
     }
     Vec<Dim> finite(const std::string& name, const Vector3& value, std::size_t i) const
@@ -154,12 +169,18 @@ struct Writing {
     {
         file.vectors[name] = toVectors3(from);
     }
-    void operator()(const std::string& name, const std::vector<Real>& from, Absent = {}) { file.scalars[name] = from; }
+    void operator()(const std::string& name, const std::vector<Real>& from, Absent = {})
+    {
+        file.scalars[name] = from;
+    }
     void operator()(const std::string& name, const std::vector<std::int64_t>& from, Absent = {})
     {
         file.integers[name] = from;
     }
-    void names(const std::string& name, const std::vector<std::string>& from) { file.names[name] = from; }
+    void names(const std::string& name, const std::vector<std::string>& from)
+    {
+        file.names[name] = from;
+    }
 };
 
 template <int Dim>
@@ -252,19 +273,20 @@ void requireSameCase(const ParticleFile& file, Real spacing, int dimension)
     const auto same = [&](const std::string& name, Real now) {
         const Real then = file.number(name);
         if (std::abs(then - now) > 1e-9 * now)
-            fail(file, fmt::format("made with {} {}, but system/particlesDict now has {}: run createParticles again",
+            fail(file, fmt::format("made with {} {}, but system/particlesDict now has {}: run "
+                                   "createParticles again",
                                    name, then, now));
     };
     same("spacing", spacing);
     same("dimension", dimension);
 }
 
-#define ISPH_INSTANTIATE(Dim)                                \
-    template Water<Dim> waterOf(const ParticleFile&);        \
-    template Walls<Dim> wallsOf(const ParticleFile&);        \
-    template Soil<Dim> soilOf(const ParticleFile&);          \
-    template ParticleFile fileOf(const Water<Dim>&, Real);   \
-    template ParticleFile fileOf(const Walls<Dim>&, Real);   \
+#define ISPH_INSTANTIATE(Dim)                              \
+    template Water<Dim> waterOf(const ParticleFile&);      \
+    template Walls<Dim> wallsOf(const ParticleFile&);      \
+    template Soil<Dim> soilOf(const ParticleFile&);        \
+    template ParticleFile fileOf(const Water<Dim>&, Real); \
+    template ParticleFile fileOf(const Walls<Dim>&, Real); \
     template ParticleFile fileOf(const Soil<Dim>&, Real);
 ISPH_INSTANTIATE(2)
 ISPH_INSTANTIATE(3)

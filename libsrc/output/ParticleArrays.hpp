@@ -8,9 +8,9 @@
 
 namespace isph {
 
-/// Particles of a file. Fields that only a run writes may be missing: the history of U is then U, the
-/// others are zero.
-/// errors  FatalIOError: a field is missing or not finite, a wall or zone has no name, a volume is none,
+/// Particles of a file. Fields that only a run writes may be missing: the history of U is then U,
+/// the others are zero. errors  FatalIOError: a field is missing or not finite, a wall or zone has
+/// no name, a volume is none,
 ///         points of a 2-D case have a z
 template <int Dim>
 Water<Dim> waterOf(const ParticleFile& file);

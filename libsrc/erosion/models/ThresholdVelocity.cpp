@@ -15,8 +15,9 @@ namespace {
 ///   u^2 = 2 A3 (muF cos theta - sin theta) (rhoS/rho - 1) g d / ((CD + muF CL) A2)
 /// theta > 0 where the flow runs downslope, so that one formula is both of the paper's. With
 /// muF = tan phi the factor of the slope is sin(phi - theta)/sin(phi) of the level bed. At the
-/// angle of repose it vanishes and beyond it the root would be imaginary: minSlopeFactor is its floor.
-/// valid   u is the velocity at the grain, half to one diameter above the bed, not the friction
+/// angle of repose it vanishes and beyond it the root would be imaginary: minSlopeFactor is its
+/// floor. valid   u is the velocity at the grain, half to one diameter above the bed, not the
+/// friction
 ///         velocity that the paper calls it (1.4 times as large for 0.2 mm, 5 times for 10 mm) and
 ///         not the velocity of a particle of 10 mm. A constant CD is that of coarse grains: 0.2 mm
 ///         sand at the default 0.4 needs u 4 times as large as with CD(Re).

@@ -97,8 +97,10 @@ private:
                 if (flow.domainMin[d] < flow.domainMax[d] &&
                     (x[d] < flow.domainMin[d] || x[d] > flow.domainMax[d]))
                     dict_.fail("probeLocations",
-                               fmt::format("the probe ({} {} {}) lies outside the domain, which is {} to {} along {}",
-                                           x[0], x[1], x[2], flow.domainMin[d], flow.domainMax[d], "xyz"[d]));
+                               fmt::format("the probe ({} {} {}) lies outside the domain, which is "
+                                           "{} to {} along {}",
+                                           x[0], x[1], x[2], flow.domainMin[d], flow.domainMax[d],
+                                           "xyz"[d]));
     }
 
     void readName(const Token& token)

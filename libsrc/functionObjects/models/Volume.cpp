@@ -48,8 +48,10 @@ public:
     {
         const std::vector<Block> blocks = wetBlocks();
         const int layers = flow_.dimension == 3 ? width_ : 1;
-        std::vector<Real> part(blocks.size() * static_cast<std::size_t>(layers));   // many, for many threads
-        parallelForDynamic(part.size(), [&](Index k) { part[k] = inLayer(blocks[k / layers], k % layers); });
+        std::vector<Real> part(blocks.size() *
+                               static_cast<std::size_t>(layers));  // many, for many threads
+        parallelForDynamic(part.size(),
+                           [&](Index k) { part[k] = inLayer(blocks[k / layers], k % layers); });
         return orderedSum(part.size(), [&](Index k) { return part[k]; });
     }
 
@@ -88,7 +90,8 @@ private:
         Real sum = 0;
         for (int b = 0; b < width_; ++b)
             for (int a = 0; a < width_; ++a)
-                sum += inCell({block[0] * width_ + a, block[1] * width_ + b, block[2] * width_ + c});
+                sum +=
+                    inCell({block[0] * width_ + a, block[1] * width_ + b, block[2] * width_ + c});
         return sum;
     }
 

@@ -128,7 +128,8 @@ TEST(Macros, MergingKeepsWhatTheSubDictionariesHoldAlready)
 TEST(Macros, NothingStandsAboveTheTop)
 {
     for (const char* text : {"a 1; s { b $../../a; }", "a 1; s { b $...a; }"})
-        EXPECT_TRUE(says(failureOf([&] { Dictionary::parse(text); }), "Illegal dictionary entry")) << text;
+        EXPECT_TRUE(says(failureOf([&] { Dictionary::parse(text); }), "Illegal dictionary entry"))
+            << text;
 }
 
 TEST(Macros, KeywordsAndNestedNamesCanBeVariables)

@@ -49,23 +49,27 @@ TEST(KernelField, SharesOfWaterAndWallSumToOneAndTheirGradientsAreTheirSlopes)
 
 TEST(KernelField, GathersWhatEveryParticleAskedInTurnWouldGive)
 {
-    FlowView flow = emptyTank({.dimension = 3, .spacing = 0.1, .length = 1, .width = 0.6, .height = 1});
+    FlowView flow =
+        emptyTank({.dimension = 3, .spacing = 0.1, .length = 1, .width = 0.6, .height = 1});
     addWater(flow, {0, 0, 0}, {0.5, 0.6, 0.6}, 1);
-    addWater(flow, {0.5, 0, 0}, {1, 0.6, 0.6}, 0.4);   // wider kernels in soil
+    addWater(flow, {0.5, 0, 0}, {1, 0.6, 0.6}, 0.4);  // wider kernels in soil
     jitter(flow, 0.3);
     const KernelField field(flow);
     KernelSamples samples;
-    for (const Vec<3>& x : {Vec<3>{{0.5, 0.3, 0.3}}, Vec<3>{{0.01, 0.02, 0.59}}, Vec<3>{{0.7, 0.75, 0.1}}}) {
+    for (const Vec<3>& x :
+         {Vec<3>{{0.5, 0.3, 0.3}}, Vec<3>{{0.01, 0.02, 0.59}}, Vec<3>{{0.7, 0.75, 0.1}}}) {
         field.water().gather(x, samples);
         std::vector<Index> seen(samples.owner), all;
         std::sort(seen.begin(), seen.end());
         for (std::size_t i = 0; i < flow.position.size(); ++i)
-            if (norm(x - toVec(flow.position[i])) < flow.kernel->supportRadius() * flow.smoothingLength(i))
+            if (norm(x - toVec(flow.position[i])) <
+                flow.kernel->supportRadius() * flow.smoothingLength(i))
                 all.push_back(static_cast<Index>(i));
         EXPECT_EQ(seen, all);
         EXPECT_GT(all.size(), 0u);
         for (std::size_t k = 0; k < samples.size(); ++k) {
-            const Vec<3> offset = x - toVec(flow.position[static_cast<std::size_t>(samples.owner[k])]);
+            const Vec<3> offset =
+                x - toVec(flow.position[static_cast<std::size_t>(samples.owner[k])]);
             EXPECT_EQ(norm(samples.offset[k] - offset), 0);
         }
     }

@@ -74,7 +74,8 @@ TEST(Volume, InThreeDimensionsIsHalfAPerCentRightForATankOfTwentySpacings)
 
 TEST(Volume, OneAndFourThreadsAgreeBitForBit)
 {
-    FlowView flow = emptyTank({.dimension = 3, .spacing = 0.1, .length = 1, .width = 0.6, .height = 1});
+    FlowView flow =
+        emptyTank({.dimension = 3, .spacing = 0.1, .length = 1, .width = 0.6, .height = 1});
     addWater(flow, {0, 0, 0}, {1, 0.6, 0.6}, 1);
     jitter(flow, 0.2);
     const int before = threadCount();

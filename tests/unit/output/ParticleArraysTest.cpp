@@ -67,8 +67,8 @@ std::string messageOf(const std::function<void()>& read)
 
 /// Breaks a file and expects that whoever reads it is told of `part`.
 template <class Read>
-void expectRefusal(ParticleFile file, const std::function<void(ParticleFile&)>& breakIt, Read&& read,
-                   const std::string& part)
+void expectRefusal(ParticleFile file, const std::function<void(ParticleFile&)>& breakIt,
+                   Read&& read, const std::string& part)
 {
     file.source = "0/x.vtp";
     breakIt(file);
@@ -104,7 +104,8 @@ TEST(ParticleArrays, WhatARestartNeedsComesBackBitForBit)
 TEST(ParticleArrays, FieldsThatOnlyARunWritesMayBeMissing)
 {
     ParticleFile file = fileOf(someWater(), kSpacing);
-    file.vectors.erase("UOld"), file.vectors.erase("forceGradient"), file.scalars.erase("pEquation");
+    file.vectors.erase("UOld"), file.vectors.erase("forceGradient"),
+        file.scalars.erase("pEquation");
     const Water<2> water = waterOf<2>(file);
     EXPECT_EQ(water.uOld, someWater().u);
     EXPECT_EQ(water.p, std::vector<Real>(3, 0));
@@ -116,7 +117,8 @@ TEST(ParticleArrays, FieldsThatOnlyARunWritesMayBeMissing)
 
 TEST(ParticleArrays, WaterThatCannotBeIsRefused)
 {
-    const auto refuse = [](const std::function<void(ParticleFile&)>& breakIt, const std::string& part) {
+    const auto refuse = [](const std::function<void(ParticleFile&)>& breakIt,
+                           const std::string& part) {
         expectRefusal(fileOf(someWater(), kSpacing), breakIt, waterOf<2>, part);
     };
     refuse([](ParticleFile& f) { f.points[1][0] = NAN; }, "points of particle 1 is nan");
@@ -129,27 +131,34 @@ TEST(ParticleArrays, WaterThatCannotBeIsRefused)
 
 TEST(ParticleArrays, WallsThatCannotBeAreRefused)
 {
-    const auto refuse = [](const std::function<void(ParticleFile&)>& breakIt, const std::string& part) {
+    const auto refuse = [](const std::function<void(ParticleFile&)>& breakIt,
+                           const std::string& part) {
         expectRefusal(fileOf(someWalls(), kSpacing), breakIt, wallsOf<2>, part);
     };
     refuse([](ParticleFile& f) { f.integers["wall"][1] = 2; }, "wall of particle 1 is 2");
     refuse([](ParticleFile& f) { f.integers["wall"][0] = -1; }, "wall of particle 0 is -1");
     refuse([](ParticleFile& f) { f.names.clear(); }, "The array wallNames is missing");
     refuse([](ParticleFile& f) { f.scalars["volume"][0] = -0.01; }, "allowed: volume >= 0");
-    refuse([](ParticleFile& f) { f.vectors["normal"][1] = {0, 0, 0}; }, "normal of particle 1 has the length 0");
+    refuse(
+        [](ParticleFile& f) {
+            f.vectors["normal"][1] = {0, 0, 0};
+        },
+        "normal of particle 1 has the length 0");
     refuse([](ParticleFile& f) { f.vectors["normal"][1][0] = NAN; }, "normal of particle 1 is nan");
 }
 
 TEST(ParticleArrays, SoilThatCannotBeIsRefused)
 {
-    const auto refuse = [](const std::function<void(ParticleFile&)>& breakIt, const std::string& part) {
+    const auto refuse = [](const std::function<void(ParticleFile&)>& breakIt,
+                           const std::string& part) {
         expectRefusal(fileOf(someSoil(), kSpacing), breakIt, soilOf<2>, part);
     };
     refuse([](ParticleFile& f) { f.integers["zone"][0] = 2; }, "zone of particle 0 is 2");
     refuse([](ParticleFile& f) { f.integers["zone"][1] = -1; }, "zone of particle 1 is -1");
     refuse([](ParticleFile& f) { f.names["zoneNames"].clear(); }, "the list zoneNames has 0 names");
     refuse([](ParticleFile& f) { f.scalars["solidVolume"][1] = -1; }, "allowed: solidVolume >= 0");
-    refuse([](ParticleFile& f) { f.scalars["solidVolume"][1] = NAN; }, "solidVolume of particle 1 is nan");
+    refuse([](ParticleFile& f) { f.scalars["solidVolume"][1] = NAN; },
+           "solidVolume of particle 1 is nan");
 }
 
 TEST(ParticleArrays, FilesOfAnotherSpacingOrDimensionAreRefused)
@@ -159,9 +168,12 @@ TEST(ParticleArrays, FilesOfAnotherSpacingOrDimensionAreRefused)
     const auto check = [](Real spacing, int dimension) {
         return [=](const ParticleFile& f) { requireSameCase(f, spacing, dimension); };
     };
-    expectRefusal(file, [](ParticleFile&) {}, check(0.2, 2), "made with spacing 0.1");
-    expectRefusal(file, [](ParticleFile&) {}, check(kSpacing, 3), "made with dimension 2");
-    expectRefusal(file, [](ParticleFile& f) { f.numbers.erase("spacing"); }, check(kSpacing, 2), "spacing");
+    expectRefusal(
+        file, [](ParticleFile&) {}, check(0.2, 2), "made with spacing 0.1");
+    expectRefusal(
+        file, [](ParticleFile&) {}, check(kSpacing, 3), "made with dimension 2");
+    expectRefusal(
+        file, [](ParticleFile& f) { f.numbers.erase("spacing"); }, check(kSpacing, 2), "spacing");
 }
 
 }  // namespace

@@ -229,9 +229,11 @@ void drawMap(const Report& report, const std::vector<Result>& results, const std
     std::vector<std::string> parts;
     if (counts[0]) {
         parts.push_back("$good using 1:2:3 with points pt 5 ps 4 lc palette title 'stable'");
-        const bool crowded = first.values.size() > kRoomyColumns;   // texts would run into one another
-        parts.push_back(fmt::format("$good using 1:2:(sprintf('{}', $3)) with labels offset 0,1.7{} notitle",
-                                    crowded ? "%.1e" : "%.3g", crowded ? " font ',8'" : ""));
+        const bool crowded =
+            first.values.size() > kRoomyColumns;  // texts would run into one another
+        parts.push_back(
+            fmt::format("$good using 1:2:(sprintf('{}', $3)) with labels offset 0,1.7{} notitle",
+                        crowded ? "%.1e" : "%.3g", crowded ? " font ',8'" : ""));
     }
     if (counts[1])
         parts.push_back(

@@ -136,7 +136,8 @@ std::vector<VariantCase::File> VariantCase::input() const
 
 std::string VariantCase::fingerprint(const std::vector<File>& files) const
 {
-    // Of files beside constant and system, only those count that a command names: Allcheck does not.
+    // Of files beside constant and system, only those count that a command names: Allcheck does
+    // not.
     const auto runs = [&](const std::string& name) {
         return std::any_of(
             report_.commands.begin(), report_.commands.end(),

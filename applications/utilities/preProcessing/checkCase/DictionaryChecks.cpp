@@ -59,7 +59,8 @@ std::string checkSolution(const Dictionary& solution)
 
 int dimensionOf(const fs::path& caseDir)
 {
-    return particlesKeys().get<int>(Dictionary::read(caseDir / "system" / "particlesDict"), "dimension");
+    return particlesKeys().get<int>(Dictionary::read(caseDir / "system" / "particlesDict"),
+                                    "dimension");
 }
 
 std::string checkGravity(const fs::path& caseDir, const Dictionary& gravity)
@@ -127,7 +128,8 @@ void checkDictionaries(const fs::path& caseDir, Checklist& list)
     checkFile(list, caseDir, "system/isphSolution", "", checkSolution);
     checkFile(list, caseDir, "system/boundaryDict", "no periodic direction, walls slip",
               [&](const Dictionary& d) { return checkBoundaries(caseDir, d); });
-    checkFile(list, caseDir, "constant/g", "", [&](const Dictionary& d) { return checkGravity(caseDir, d); });
+    checkFile(list, caseDir, "constant/g", "",
+              [&](const Dictionary& d) { return checkGravity(caseDir, d); });
     checkFile(list, caseDir, "constant/transportProperties", "nu = 1e-6 m2/s, rho = 1000 kg/m3",
               checkTransport);
     checkFile(list, caseDir, "constant/porousZones", "no soil", checkZones);
