@@ -42,9 +42,18 @@ public:
     template <int Size>
     Records<Size> records(Index n)
     {
-        const std::size_t lines = static_cast<std::size_t>(n + 1) * (Size / kLanes);
-        if (lines_.size() < lines) lines_ = std::vector<Line>(lines + lines / 16);
-        return Records<Size>(lines_[0].number.data());
+        return Records<Size>(numbers(static_cast<std::size_t>(n) * Size));
+    }
+
+    /// Room for n numbers without any order.
+    Real* numbers(std::size_t n)
+    {
+        const std::size_t lines = n / kLanes + 1;
+        if (lines_.size() < lines) {
+            lines_.clear(), lines_.shrink_to_fit();
+            lines_.resize(lines + lines / 32);
+        }
+        return lines_[0].number.data();
     }
 
 private:

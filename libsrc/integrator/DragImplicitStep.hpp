@@ -12,6 +12,7 @@ class DragImplicitStep : public ProjectionStep<Dim> {
 public:
     DragImplicitStep(Scene<Dim>& scene, Timers& timers);
     StepReport advance(Real dt, Real dtOld) override;
+    void release() override { pressure_ = {}; }
 
 private:
     using ProjectionStep<Dim>::scene_;

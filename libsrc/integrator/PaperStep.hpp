@@ -20,6 +20,7 @@ class PaperStep : public ProjectionStep<Dim> {
 public:
     PaperStep(Scene<Dim>& scene, PaperDrag drag, Timers& timers);
     StepReport advance(Real dt, Real dtOld) override;
+    void release() override { pressure_ = {}; }
 
 private:
     using ProjectionStep<Dim>::scene_;

@@ -29,6 +29,9 @@ public:
     /// Porosity, neighbours, corrections and surface where the particles stand now.
     void look();
 
+    /// Gives the arrays of the pressure equation back until the next step.
+    virtual void release() = 0;
+
     const StepFields<Dim>& fields() const { return fields_; }
 
 protected:

@@ -14,7 +14,7 @@ constexpr int kSlices = 4;
 /// the order of sorted particles, as they are.
 constexpr Real kEdgeSteps = 4;
 /// More room than a block of rows takes, so that it rarely moves.
-constexpr Real kRoom = 1.05;
+constexpr Real kRoom = 1.02;
 /// Rows with more places out of order than this share are sorted as a whole, not place by place.
 constexpr Index kNearlySorted = 8;
 constexpr Real kRounding = 1e-6;   // keeps a distance in single precision below the true one
@@ -73,8 +73,8 @@ void PairList<Dim>::RowSearch::near(Index i)
     const Vec<Dim> xi = list_.points_->x[i];
     const Real half = Real(0.5) * list_.support_, hi = list_.points_->h[i];
     std::array<const Real*, Dim> x;
-    for (int d = 0; d < Dim; ++d) x[d] = list_.cellX_[d].data();
-    const Real* h = list_.cellH_.data();
+    for (int d = 0; d < Dim; ++d) x[d] = list_.cellX_[d];
+    const Real* h = list_.cellH_;
     size_ = 0;
     list_.grid_.forEachRun(xi, half * (hi + list_.largestH_), [&](Index first, Index last) {
         Index n = size_;
@@ -185,9 +185,13 @@ void PairList<Dim>::binByCells(Span<const Vec<Dim>> x, Real reach, CellGrid<Dim>
 template <int Dim>
 void PairList<Dim>::sortByCells()
 {
-    const std::size_t n = points_->x.size();
-    for (std::vector<Real>& x : cellX_) x.resize(n + kLanes, 0);
-    cellH_.resize(n + kLanes, 0);
+    const std::size_t n = points_->x.size(), room = n + kLanes;
+    cellH_ = store_.numbers((Dim + 1) * room);
+    std::fill(cellH_ + n, cellH_ + room, 0);
+    for (int d = 0; d < Dim; ++d) {
+        cellX_[d] = cellH_ + (d + 1) * room;
+        std::fill(cellX_[d] + n, cellX_[d] + room, 0);
+    }
     parallelFor(n, [&](Index k) {
         const Index j = grid_.order()[k];
         for (int d = 0; d < Dim; ++d) cellX_[d][k] = points_->x[j][d];

@@ -145,8 +145,8 @@ private:
 
     const Points<Dim>* points_ = nullptr;
     CellGrid<Dim> grid_;
-    std::array<std::vector<Real>, Dim> cellX_;   ///< coordinates of all points in the order of the cells
-    std::vector<Real> cellH_;                    ///< their h
+    std::array<Real*, Dim> cellX_{};   ///< during build(): coordinates of all points in the order of the cells
+    Real* cellH_ = nullptr;            ///< their h
     Real support_ = 0, sigma_ = 0, selfW0_ = 0, largestH_ = 0;
     Real unitW_ = 1, unitSlope_ = 1;
     std::vector<Row> row_;

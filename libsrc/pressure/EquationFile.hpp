@@ -32,6 +32,7 @@ public:
 
     SolverReport solve(const SymmetricMatrix& matrix, Span<const Real> b, Span<Real> x) override;
     void forget() override { solver_->forget(); }
+    void release() override { solver_->release(); }
 
 private:
     std::unique_ptr<PressureSolver> solver_;

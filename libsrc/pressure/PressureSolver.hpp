@@ -53,6 +53,8 @@ public:
     virtual SolverReport solve(const SymmetricMatrix& matrix, Span<const Real> b, Span<Real> x) = 0;
     /// Drops whatever is kept from earlier steps: a restarted run then goes on with the same bits.
     virtual void forget() {}
+    /// Gives its work arrays back until the next solve.
+    virtual void release() {}
 };
 
 }  // namespace isph

@@ -136,6 +136,7 @@ private:
     {
         const auto timer = timers_.scope("output");
         sort();
+        step_->release(), scene_.solver->release();   // makes room for the files
         step_->look();
         const Real spacing = scene_.scheme.spacing;
         std::map<std::string, ParticleFile> files{{"water", waterFile(scene_, step_->fields())}};

@@ -12,8 +12,8 @@ SolverReport MultigridPCG::solve(const SymmetricMatrix& matrix, Span<const Real>
     r_.resize(matrix.size());
     Solve solve("multigridPCG", controls_, matrix, b, x, r_);
     if (solve.done()) return solve.report();
-    if (multigrid_.setUp(matrix))
-        conjugateGradients_.run(solve, multigrid_, solve.iterationsLeft());
+    if (multigrid_->setUp(matrix))
+        conjugateGradients_.run(solve, *multigrid_, solve.iterationsLeft());
     else
         solve.remark("the matrix is not positive definite");
     return solve.report();

@@ -13,9 +13,16 @@ public:
 
     SolverReport solve(const SymmetricMatrix& matrix, Span<const Real> b, Span<Real> x) override;
 
+    void release() override
+    {
+        multigrid_ = std::make_unique<Multigrid>();
+        conjugateGradients_ = {};
+        r_ = {};
+    }
+
 private:
     SolverControls controls_;
-    Multigrid multigrid_;
+    std::unique_ptr<Multigrid> multigrid_ = std::make_unique<Multigrid>();
     ConjugateGradients conjugateGradients_;
     std::vector<Real> r_;
 };
