@@ -107,6 +107,18 @@ TEST_F(Compare, ASeriesIsCutToItsTimesAndPooledOverColumns)
     EXPECT_DOUBLE_EQ(between[1].measured, 1.75);
 }
 
+TEST_F(Compare, AReferenceThatBeganLaterIsFoundWithinTheGivenDelay)
+{
+    writeText("late.csv", "t,speed\n1.25,-3\n2.25,2\n");
+    const std::string options = "-name v -bound 0.1 -series speed.dat -column maxSpeed -reference late.csv -measure rms";
+    EXPECT_EQ(run(options).code, 1);
+    const Outcome found = run(options + " -delay 0.5");
+    EXPECT_EQ(found.code, 0);
+    EXPECT_NE(found.text.find("v(delay=0.25s) 0 - bound 0.1 ok"), std::string::npos) << found.text;
+    EXPECT_EQ(run(options + " -delay 0.1").code, 1);   // not beyond what is allowed
+    EXPECT_EQ(run("-name v -bound 9 -series speed.dat -column maxSpeed -delay 1").code, 1);
+}
+
 TEST_F(Compare, ASeriesIsHeldAgainstAReferenceAtItsTimes)
 {
     writeText("ref.csv", "# experiment\nt_s,v\n0.5,-1.4\n2,2.3\n");

@@ -180,7 +180,8 @@ std::vector<Sample> fromSeries(const std::vector<Curve>& curves, const Source& s
     for (const Curve& curve : curves) {
         if (!reference.empty()) {
             for (const auto& row : reference)
-                if (wanted(row[0])) all.push_back({row[0], valueAtTime(curve, row[0]), row[1]});
+                if (wanted(row[0]))
+                    all.push_back({row[0], valueAtTime(curve, row[0] - source.delay), row[1]});
         } else if (!source.times.empty()) {
             for (const Real time : source.times)
                 all.push_back({time, valueAtTime(curve, time), expectation.value});

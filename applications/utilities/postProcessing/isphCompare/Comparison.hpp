@@ -28,6 +28,7 @@ struct Source {
                                 ///< at which it stands above this level
     std::vector<Real> times;    ///< where given, values at these times, between rows linearly
     Real from, to;              ///< else the rows between these times
+    Real delay = 0;             ///< how much later than the run a series' reference began
 };
 
 /// What they are held against: a table, or one number.

@@ -59,6 +59,9 @@ void declare(CommandLine& line)
         .option("expect", "number", "what is subtracted; 0 where absent")
         .option("reference", "csv",
                 "what is subtracted: t,value of a series; t,x,value of a profile")
+        .option("delay", "most",
+                "a series' reference may have begun later than the run, by up to this time [s]: the "
+                "delay that fits best counts and is printed")
         .option(
             "measure", "name",
             "last, mean, max (where absent), min or rms of the deviations, or range of the values")
@@ -95,6 +98,7 @@ void checkCombination(const CommandLine& line)
     only("from", series && !line.has("times"), "belongs to a series without -times");
     only("to", series && !line.has("times"), "belongs to a series without -times");
     only("reference", !line.has("value"), "does not go with -value");
+    only("delay", series && line.has("reference"), "belongs to a series' -reference");
     only("expect", !line.has("reference"), "does not go with -reference");
     if (line.has("series") && !line.has("column")) throw FatalError("-series needs -column");
     if (line.has("profile") && !series && !line.has("reference"))
@@ -130,14 +134,29 @@ int compare(const CommandLine& line)
     checkCombination(line);
     Expectation expectation{line.number("expect", 0), {}};
     if (line.has("reference")) expectation.reference = line.caseDir() / line.value("reference");
-    std::vector<Sample> all = samples(sourceOf(line), expectation);
     const Real scale = line.number("scale", 1);
-    for (Sample& s : all) s = {s.time, scale * s.measured, scale * s.expected};
-    if (line.has("relative")) all = inPerCent(std::move(all));
-    const Real value = measure(line.value("measure", "max"), all);
+    const auto deviation = [&](Real delay) {
+        Source source = sourceOf(line);
+        source.delay = delay;
+        std::vector<Sample> all = samples(source, expectation);
+        for (Sample& s : all) s = {s.time, scale * s.measured, scale * s.expected};
+        if (line.has("relative")) all = inPerCent(std::move(all));
+        return measure(line.value("measure", "max"), all);
+    };
+    Real value = deviation(0);
+    std::string name = line.value("name");
+    if (line.has("delay")) {
+        constexpr int steps = 40;
+        const Real most = line.number("delay", 0);
+        Real best = 0;
+        for (int k = 1; k <= steps; ++k)
+            if (const Real later = deviation(most * k / steps); later < value)
+                value = later, best = most * k / steps;
+        name += fmt::format("(delay={:.3g}s)", best);
+    }
     const Real bound = line.number("bound", 0);
     const bool ok = value <= bound;  // false for a value that is no number
-    info("{} {:.4g} {} bound {:g} {}", line.value("name"), value,
+    info("{} {:.4g} {} bound {:g} {}", name, value,
          line.value("unit", line.has("relative") ? "%" : "-"), bound, ok ? "ok" : "FAIL");
     return ok ? 0 : 1;
 }
