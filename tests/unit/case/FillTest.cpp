@@ -136,6 +136,18 @@ TEST(FillWater, InATankTurnedAgainstTheLatticeParticlesKeepTheirDistances)
     expectEvenSums(s, 0.3, 0.04);
 }
 
+TEST(FillWater, ALevelThatTheLatticeFitsStaysLevelBetweenObliqueWalls)
+{
+    const FilledScene s(turnedTank);
+    int row = 0;
+    for (const Point& x : s.water.x) {
+        if (x[1] < 0.34 || s.g.bodyDistance(x) < 0.01) continue;
+        EXPECT_NEAR(x[1], 0.345, 1e-9);
+        ++row;
+    }
+    EXPECT_NEAR(row, 0.4 / std::cos(pi / 6) / 0.01, 3);  // the level's length less its ends
+}
+
 TEST(FillWater, BeneathASurfaceAtAnAngleToTheLatticeTheFirstLayerIsLevelAndEven)
 {
     const FilledScene s(
