@@ -67,7 +67,7 @@ Point FaceLayer::atDepth(const Point& x, Real depth) const
 
 std::vector<char> FaceLayer::laid(std::vector<Point>& x) const
 {
-    const std::vector<char> moves = misfits(x);
+    std::vector<char> moves = misfits(x);
     for (std::size_t i = 0; i < x.size(); ++i)
         if (moves[i]) x[i] = atDepth(x[i], 0.5);
     for (int sweep = 0; sweep < mostSweeps; ++sweep)
@@ -83,6 +83,7 @@ std::vector<char> FaceLayer::misfits(const std::vector<Point>& x) const
     for (const Point& at : x)
         if (std::fabs(outside_(at) + 0.5 * spacing_) > fits * spacing_) wrong.add(at);
     std::vector<char> misfit;
+    misfit.reserve(x.size());
     for (const Point& at : x) misfit.push_back(wrong.nearest(at, beside * spacing_) >= 0);
     return misfit;
 }

@@ -76,6 +76,7 @@ private:
         }
         std::sort(cells.begin(), cells.end());
         std::vector<std::size_t> order;
+        order.reserve(cells.size());
         for (const auto& cell : cells) order.push_back(cell.second);
         return order;
     }

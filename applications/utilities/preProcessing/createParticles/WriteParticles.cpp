@@ -16,6 +16,7 @@ namespace {
 std::vector<Vector3> plain(const std::vector<Point>& points)
 {
     std::vector<Vector3> result;
+    result.reserve(points.size());
     for (const Point& x : points) result.push_back(x.c);
     return result;
 }
