@@ -6,6 +6,10 @@
 #include <array>
 #include <cstring>
 
+// Processors without registers of this width pass Lanes in memory. No function that a library exports takes
+// or returns them, so that libraries of unequal options go together.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace isph {
 
 constexpr Index kLanes = 8;
