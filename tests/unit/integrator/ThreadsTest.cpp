@@ -51,6 +51,7 @@ struct StepInParts : ProjectionStep<2> {
     using ProjectionStep<2>::ProjectionStep;
     using ProjectionStep<2>::fields_;
     StepReport advance(Real, Real) override { return {}; }
+    void release() override {}
 };
 
 /// Predictor and corrector of a disturbed scene, under the pressure of a polynomial.
