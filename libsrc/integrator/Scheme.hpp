@@ -23,7 +23,7 @@ struct Scheme {
     Real relaxationTime = 0.1;        ///< T of the density source [s]                      [theory (5.5)]
     Real alpha = 0.01;                ///< of constantAlpha, the paper's (16)
     Real speedFactor = 0.1;           ///< c_tau: the source repairs at most at this share of max|u|/d0
-    Real shifting = 12;               ///< A of (7.1), 0 = none
+    Real shifting = 10;               ///< A of (7.1), 0 = none
     Real largestShift = 0.05;         ///< in local spacings
     Real dissipation = 16;            ///< c_r of (7.3)
     Real collisionDistance = 0.5;     ///< in local spacings                                [theory (7.4)]

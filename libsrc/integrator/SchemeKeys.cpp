@@ -33,7 +33,7 @@ Schema stabilisationKeys()
 Schema shiftingKeys()
 {
     return {Key::scalar("coefficient", "A of dx = -A h U dt grad C, U = max|u_i - u_j| of the neighbours, 0: none")
-                .byDefault("12").atLeast(0),
+                .byDefault("10").atLeast(0),
             Key::scalar("largestShift", "bound of a step's shift in local spacings")
                 .byDefault("0.05").above(0).atMost(0.5)};
 }
