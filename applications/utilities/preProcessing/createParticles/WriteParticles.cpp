@@ -113,6 +113,8 @@ void copyOthers(const fs::path& from, const fs::path& to)
 /// The parts and what else the folder holds, in a hidden folder that then takes its place.
 void writeFolder(const fs::path& folder, const ParticleParts& parts)
 {
+    if (fs::exists(folder) && !fs::is_directory(folder))
+        throw FatalIOError("cannot make the folder: Not a directory", folder.string(), 0);
     const fs::path whole = folder.parent_path() / ("." + folder.filename().string() + ".part");
     std::error_code ignored;
     try {
