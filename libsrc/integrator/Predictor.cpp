@@ -9,7 +9,7 @@
 namespace isph {
 
 namespace {
-constexpr Real kSoilShare = 0.05;   // a particle with more soil around it is one of the soil
+constexpr Real kSoilShare = 0.5;   // a particle with more soil around it is on the soil's side of the face
 
 constexpr Real kInnerStrength = 8;  // c_r of inner pairs, whose rough part is small, over that of others
 
