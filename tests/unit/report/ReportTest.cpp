@@ -168,7 +168,8 @@ TEST_F(IsphReport, StopsAtASignalAndGoesOnLater)
 {
     writeReportDict(
         "vary { spacing { values (0.1); } kernel { values (wendlandC2 quinticSpline); } }");
-    const std::string line = "timeout -s TERM 2 " + std::string(ISPH_REPORT) + " -case " +
+    // --foreground: one signal, to the program alone; a second one ends it at once.
+    const std::string line = "timeout --foreground -s TERM 2 " + std::string(ISPH_REPORT) + " -case " +
                              case_.string() + " > " + (case_ / "output").string() + " 2>&1";
     ASSERT_NE(std::system(line.c_str()), 0);
     EXPECT_TRUE(printed("Stopped by signal 15")) << read("output");
