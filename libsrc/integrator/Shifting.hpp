@@ -11,8 +11,9 @@ template <int Dim>
 Real internalSpeed(const std::vector<Vec<Dim>>& u);
 
 /// Evens out the particles without moving the flow:                              [theory (7.1), (7.2)]
-///   dx_i = - A h_i dt U sum_j V_j [1 + 0.2 (W_ij/W(s_i))^4] gradW_ij,   |dx| <= 0.05 s_i
-/// Surface particles stay; those near the surface move along it only, and not where lambda < 0.6 Dim.
+///   dx_i = - A h_i dt U_i sum_j V_j [1 + 0.2 (W_ij/W(s_i))^4] gradW_ij,   |dx| <= 0.05 s_i
+/// with U_i the largest velocity difference to a neighbour in water. At and near the surface particles move
+/// along it only; those of the surface with a wall in their support stay, as do those with lambda < 0.4 Dim.
 /// u and its history follow by dx.grad u. Inside soil nothing is shifted: it would drain the pores.
 /// Returns the rms of div u at inner particles, times dt: the continuity error of the step.
 template <int Dim>
@@ -20,7 +21,8 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
            Water<Dim>& water);
 
 /// Water particles nearer than the collision distance that approach lose the approach in equal parts,
-/// and water that approaches a wall nearer than that loses the normal velocity.         [theory (7.4)]
+/// and water that approaches a wall nearer than that loses the normal velocity. Between two particles of
+/// the surface the distance is 0.95 local spacings.                                     [theory (7.4)]
 template <int Dim>
 void collide(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, Span<const Vec<Dim>> wallNormal,
              Span<const Real> wallDepth, Water<Dim>& water);

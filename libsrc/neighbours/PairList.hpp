@@ -61,7 +61,8 @@ public:
                 for (Index l = 0; l < end - k; ++l) lastJ[l] = j[l], lastW[l] = W[l], lastSlope[l] = slope[l];
                 j = lastJ.data(), W = lastW.data(), slope = lastSlope.data();
             }
-            f(PairLanes{j, loadLanes(W) * unitW_, loadLanes(slope) * unitSlope_});   // called at one place, so that it is inlined
+            // f is called at one place, so that it is inlined.
+            f(PairLanes{j, loadLanes(W) * unitW_, loadLanes(slope) * unitSlope_});
         }
     }
 
@@ -103,24 +104,28 @@ private:
         for (int d = 1; d < Dim; ++d) p *= h;
         return p;
     }
+    /// What loops over the pairs of row i read.
+    struct RowView {
+        const Index* j;
+        const float *W, *slope;
+        const Vec<Dim>* x;
+        Vec<Dim> xi;
+    };
+    RowView rowOf(Index i) const
+    {
+        const Block& block = block_[i / kBlockRows];
+        return {block.j.data(), block.W.data(), block.slope.data(), points_->x.data(), points_->x[i]};
+    }
     template <class F>
     void loop(Index i, Index from, Index to, F&& f) const
     {
-        const Block& block = block_[i / kBlockRows];
-        const Index* j = block.j.data();
-        const float *W = block.W.data(), *slope = block.slope.data();
-        const auto* x = points_->x.data();
-        const Vec<Dim> xi = x[i];
+        const auto [j, W, slope, x, xi] = rowOf(i);
         for (Index k = from; k < to; ++k) f(Pair{j[k], W[k] * unitW_, slope[k] * unitSlope_, xi - x[j[k]]});
     }
     template <class F>
     void loopBatches(Index i, Index from, Index to, F&& f) const
     {
-        const Block& block = block_[i / kBlockRows];
-        const Index* j = block.j.data();
-        const float *W = block.W.data(), *slope = block.slope.data();
-        const auto* x = points_->x.data();
-        const Vec<Dim> xi = x[i];
+        const auto [j, W, slope, x, xi] = rowOf(i);
         PairBatch<Dim> batch;
         for (Index first = from; first < to; first += PairBatch<Dim>::kMost) {
             const Index n = std::min(PairBatch<Dim>::kMost, to - first);
