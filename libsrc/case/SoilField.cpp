@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case/SoilField.hpp"
 
+#include "core/LatticeSpline.hpp"
+
 #include <algorithm>
 
 namespace isph {
@@ -29,28 +31,37 @@ PeriodicPoints::PeriodicPoints(const CaseGeometry& g, const std::vector<Point>& 
 }
 
 SoilField::SoilField(const CaseGeometry& g, const SoilParticles& soil, const WallParticles& walls)
-    : kernel_{g.dimension},
-      h_(1.5 * g.spacing),
+    : dimension_(g.dimension),
+      spacing_(g.spacing),
+      reach_(std::sqrt(Real(g.dimension)) * latticeSpline::kReach * g.spacing),
       least_(1),
-      soilPoints_(g, soil.x, 2 * h_),
-      wallPoints_(g, walls.x, 2 * h_),
-      soilGrid_(2 * h_, soilPoints_.x),
-      wallGrid_(2 * h_, wallPoints_.x),
+      soilPoints_(g, soil.x, reach_),
+      wallPoints_(g, walls.x, reach_),
+      soilGrid_(reach_, soilPoints_.x),
+      wallGrid_(reach_, wallPoints_.x),
       solid_(soil.solidVolume),
       wall_(walls.volume)
 {
     for (Real v : solid_) least_ = std::min(least_, 1 - v / g.cellVolume());
 }
 
+/// W in 1/m^D.
+Real SoilField::weight(const Point& r) const
+{
+    Real W = 1;
+    for (int d = 0; d < dimension_; ++d) W *= latticeSpline::value(r[d] / spacing_) / spacing_;
+    return W;
+}
+
 Real SoilField::porosity(const Point& x) const
 {
     Real solid = 0, wall = 0;
-    soilGrid_.forEachWithin(x, 2 * h_, [&](Index k, const Point& r) {
-        solid += solid_[soilPoints_.owner[k]] * kernel_.w(norm(r), h_);
+    soilGrid_.forEachWithin(x, reach_, [&](Index k, const Point& r) {
+        solid += solid_[soilPoints_.owner[k]] * weight(r);
     });
     if (solid == 0) return 1;
-    wallGrid_.forEachWithin(x, 2 * h_, [&](Index k, const Point& r) {
-        wall += wall_[wallPoints_.owner[k]] * kernel_.w(norm(r), h_);
+    wallGrid_.forEachWithin(x, reach_, [&](Index k, const Point& r) {
+        wall += wall_[wallPoints_.owner[k]] * weight(r);
     });
     const Real leastOpen = 0.1;  // deep in a corner of walls there is little left to divide by
     return std::max(least_, 1 - solid / std::max(leastOpen, 1 - wall));

@@ -36,17 +36,18 @@ struct PeriodicPoints {
     PeriodicPoints(const CaseGeometry& geometry, const std::vector<Point>& points, Real reach);
 };
 
-/// eps(x) = 1 - [sum_k solidVolume_k W(x - x_k)]/[1 - sum_w V_w W(x - x_w)], h = 1.5 d0: soil goes
-/// on in walls and across periodic faces.                                                [theory
-/// (4.10)]
+/// eps(x) = 1 - [sum_k solidVolume_k W(x - x_k)]/[1 - sum_w V_w W(x - x_w)]: soil goes on in walls and
+/// across periodic faces.                                                              [theory (4.10)]
 class SoilField {
 public:
     SoilField(const CaseGeometry& geometry, const SoilParticles& soil, const WallParticles& walls);
     Real porosity(const Point& x) const;
 
 private:
-    PackingKernel kernel_;
-    Real h_, least_;
+    Real weight(const Point& r) const;
+
+    int dimension_;
+    Real spacing_, reach_, least_;
     PeriodicPoints soilPoints_, wallPoints_;
     CellRows soilGrid_, wallGrid_;
     std::vector<Real> solid_, wall_;

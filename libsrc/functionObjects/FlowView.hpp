@@ -7,6 +7,7 @@
 #include "kernels/Kernel.hpp"
 
 #include <array>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,7 +26,9 @@ struct FlowView {
     // Water particles, one entry each. 2-D: z = 0.
     std::vector<Vector3> position;
     std::vector<std::int64_t> id;  ///< of a particle, the same in all steps
-    std::vector<Real> porosity;                        ///< 1 in clear water
+    std::vector<Real> porosity;  ///< 1 in clear water
+    /// The same at any place, from the soil itself; empty without soil.
+    std::function<Real(const Vector3&)> porosityAt;
     std::map<std::string, std::vector<Real>> scalars;  ///< "p" [Pa], "porosity", ...
     std::map<std::string, std::vector<Vector3>>
         vectors;  ///< "U" pore velocity, "UDarcy" [m/s], ...

@@ -169,7 +169,6 @@ Shares KernelField::shares(const Vec<3>& x) const
     water_.gather(x, samples);
     for (std::size_t k = 0; k < samples.size(); ++k) {
         shares.water += samples.weight[k];
-        shares.pores += samples.weight[k] * flow_.porosity[samples.owner[k]];
         shares.waterGradient += samples.slope[k] * samples.offset[k];
     }
     walls_.gather(x, samples);

@@ -53,7 +53,6 @@ private:
 ///     over walls
 struct Shares {
     Real water = 0, wall = 0;
-    Real pores = 0;                          ///< of the water's share, V_j eps_j in place of V_j
     Vec<3> waterGradient{}, wallGradient{};  ///< [1/m]
 
     /// Whether a place is in the water: the water fills at least half of what the walls leave, and

@@ -6,6 +6,8 @@
 namespace isph {
 
 namespace {
+constexpr Real kLeastConducted = 0.25;   // of what a particle far from faces conducts: half at a flat face
+
 /// What a pair asks of its partner.
 template <int Dim>
 struct Partner {
@@ -21,6 +23,7 @@ struct HeadSum {
     const Real* own;
     Vec<Dim> force;
     std::array<Lanes, Dim> gradient{}, flux{};   ///< of p/rho - g.x, and of the velocity change (soil alone)
+    OuterSum<Dim> conducted{};                   ///< sum V beta_ij gradW x_ij (soil alone)
 
     void add(const PairLanes& pairs, const std::array<Lanes, P::size>& of)
     {
@@ -33,30 +36,45 @@ struct HeadSum {
         const Lanes VSlope = of[P::volume] * pairs.slope;
         for (int d = 0; d < Dim; ++d) gradient[d] += VSlope * head * x[d];
         if constexpr (Medium::hasSoil) {
-            const Lanes change = changes(pairs.j, head, x, of);
-            for (int d = 0; d < Dim; ++d) flux[d] += VSlope * change * x[d];
+            Lanes beta{};
+            for (int l = 0; l < kLanes; ++l) beta[l] = medium.beta(i, pairs.j[l], lane(x, l));
+            const Lanes change = beta * head - held(pairs.j, x, of);
+            std::array<Lanes, Dim> conducting;
+            for (int d = 0; d < Dim; ++d) {
+                flux[d] += VSlope * change * x[d];
+                conducting[d] = -VSlope * beta * x[d];
+            }
+            conducted.add(conducting, x);
         }
     }
 
 private:
-    Lanes changes(const Index* j, const Lanes& head, const std::array<Lanes, Dim>& x,
-                  const std::array<Lanes, P::size>& of) const
+    /// What drag takes from the predictor on the way to a partner, (s_i - s_ij)/2 (w_i + w_j).x_ij, through a face
+    /// where there is one.
+    Lanes held(const Index* j, const std::array<Lanes, Dim>& x, const std::array<Lanes, P::size>& of) const
     {
-        Lanes change{};
-        const Real s_i = medium.damping(i);
+        Lanes held{};
         for (int l = 0; l < kLanes; ++l) {
-            const Vec<Dim> n = medium.normal(i, j[l]);
-            Real across = 0, along = 0;
-            for (int d = 0; d < Dim; ++d) {
-                across += (own[P::w + d] + of[P::w + d][l]) * n[d];
-                along += n[d] * x[d][l];
-            }
-            change[l] = medium.beta(i, j[l]) * head[l]
-                      - Real(0.5) * (s_i - medium.damping(i, j[l])) * across * along;
+            const Vec<Dim> x_ij = lane(x, l);
+            Vec<Dim> w;
+            for (int d = 0; d < Dim; ++d) w[d] = own[P::w + d] + of[P::w + d][l];
+            held[l] = Real(0.5) * (medium.damping(i) - medium.damping(i, j[l], x_ij)) * medium.damped(i, j[l], w, x_ij);
         }
-        return change;
+        return held;
     }
 };
+
+/// The part of the flux along a face: the pairs through it conduct like the two media in series, but side by side
+/// with its own a particle feels the whole gradient.                                              [theory (3.11)]
+template <int Dim>
+Vec<Dim> wholeAlong(const WaterInSoil<Dim>& medium, Index i, const Mat<Dim>& conducted, const Vec<Dim>& flux)
+{
+    if (!medium.atFace(i)) return flux;
+    const Vec<Dim> n = medium.normal(i, i);
+    const Real along = (trace(conducted) - dot(n, conducted * n)) / (Dim - 1) / medium.beta(i);
+    const Vec<Dim> through = dot(flux, n) * n;
+    return through + (1 / std::max(kLeastConducted, along)) * (flux - through);
+}
 
 }  // namespace
 
@@ -76,12 +94,13 @@ void correct(const Medium& medium, const Scheme<Dim>& scheme, StepFields<Dim>& f
         HeadSum<Dim, Medium> sum{medium, i, partners[i], g};
         fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) { sum.add(pairs, partners.gather(pairs.j)); });
         const Vec<Dim> gradient = sumOf(sum.gradient);
-        const Vec<Dim> flux = Medium::hasSoil ? sumOf(sum.flux) : medium.beta(i) * gradient;
         const Real s_i = medium.damping(i);
         const Vec<Dim> w_i = fields.v[i];
         const Mat<Dim>& L = fields.corrections.Lwater[i];
+        Vec<Dim> flux = medium.beta(i) * (L * gradient);
+        if constexpr (Medium::hasSoil) flux = wholeAlong(medium, i, L * sum.conducted.total(), L * sumOf(sum.flux));
         const Vec<Dim> unseen = g - fields.corrections.seen[i] * g;
-        const Vec<Dim> v = s_i * w_i - L * flux + medium.beta(i) * unseen;
+        const Vec<Dim> v = s_i * w_i - flux + medium.beta(i) * unseen;
         water.forceGradient[i] = L * gradient - unseen;
         water.uOld[i] = water.u[i];
         water.u[i] = v / medium.porosity(i);

@@ -33,8 +33,7 @@ const std::string& zoneAt(const Scene<Dim>& scene, const Vec<Dim>& x)
 
 Real explicitDragLimit(const SoilZone& zone)
 {
-    const Real share = kClampCentre + kClampWidth / 2;
-    const Real eps = 1 - share * (1 - zone.porosity);
+    const Real eps = 1 - (1 - zone.porosity) / 2;   // at the face of the zone, where it resists most at once
     return 2 * zone.model->inertiaCoefficient(eps) / (eps * zone.resistance.linear);
 }
 

@@ -9,8 +9,6 @@
 namespace isph {
 
 namespace {
-constexpr Real kSoilShare = 0.5;   // a particle with more soil around it is on the soil's side of the face
-
 constexpr Real kInnerStrength = 8;  // c_r of inner pairs, whose rough part is small, over that of others
 
 /// Lower bound of (lambda_i + lambda_j)/(2 Dim): sprays have little of a support.  [theory (2.8)]
@@ -165,7 +163,7 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         for (int d = 0; d < Dim; ++d)
             to[C::v + d] = eps * ((1 + weights.ratio) * water.u[i][d] - weights.ratio * water.uOld[i][d]);
         const bool inner = fields.role[i] == SurfaceRole::inner;
-        to[C::part] = (inner ? C::kInner : C::kClear) * (medium.share(i) >= kSoilShare ? -1 : 1);
+        to[C::part] = (inner ? C::kInner : C::kClear) * (medium.inSoil(i) ? -1 : 1);
         to[C::volume] = points.volume[i];
         to[C::lambda] = lambda[i];
         to[C::viscosity] = (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / eps;

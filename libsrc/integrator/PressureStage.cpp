@@ -28,6 +28,7 @@ void PressureStage<Dim>::solve(Scene<Dim>& scene, const Medium& medium, const Pr
     parallelFor(rows_.size(), [&](Index r) { unknown_[r] = water.p[rows_.particle[r]] / rho; });
     const FloatingComponents& floating = components_.find(matrix_, anchored_);
     makeSolvable(matrix_, rhs_, floating);
+    startAtZero(unknown_, floating);
     report.pressure = scene.solver->solve(matrix_, rhs_, unknown_);
     removeMean(unknown_, floating);
     report.unknowns = rows_.size();

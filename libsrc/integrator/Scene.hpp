@@ -3,6 +3,7 @@
 #pragma once
 #include "boundaries/PointCloud.hpp"
 #include "integrator/Scheme.hpp"
+#include "kernels/Kernel.hpp"
 #include "particles/Particles.hpp"
 #include "porous/PorousField.hpp"
 #include "pressure/PressureSolver.hpp"

@@ -14,6 +14,15 @@ Vec<static_cast<int>(Dim)> sumOf(const std::array<Lanes, Dim>& a)
     return sum;
 }
 
+/// Lane l of every component.
+template <std::size_t Dim>
+Vec<static_cast<int>(Dim)> lane(const std::array<Lanes, Dim>& a, int l)
+{
+    Vec<static_cast<int>(Dim)> v;
+    for (std::size_t d = 0; d < Dim; ++d) v[static_cast<int>(d)] = a[d][l];
+    return v;
+}
+
 /// Sum over the pairs of a row of a (x) b, those of every lane apart.
 template <int Dim>
 struct OuterSum {

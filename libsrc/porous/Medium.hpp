@@ -2,6 +2,7 @@
 // What the steps of the projection ask of the medium that water moves in. Two answers are compiled:
 // clear water, where every coefficient is a constant and no array exists, and water with soil.
 #pragma once
+#include "core/LatticeSpline.hpp"
 #include "porous/PorousField.hpp"
 
 namespace isph {
@@ -13,12 +14,12 @@ struct ClearWater {
     Real dt = 0;   ///< the step as the time integration weighs it, dt' of (3.2)
 
     Real porosity(Index) const { return 1; }
-    Real share(Index) const { return 0; }
+    bool inSoil(Index) const { return false; }
     Real mobility(Index) const { return 1; }
     Real damping(Index) const { return 1; }
-    Real damping(Index, Index) const { return 1; }
+    Real damping(Index, Index, const Vec<Dim>&) const { return 1; }
     Real beta(Index) const { return dt; }
-    Real beta(Index, Index) const { return dt; }
+    Real beta(Index, Index, const Vec<Dim>&) const { return dt; }
 };
 
 /// Coefficients of (3.4)-(3.6) from the porous state; all arrays cover water and images.
@@ -28,36 +29,52 @@ struct WaterInSoil {
     Real dt = 0;
     const PorousState<Dim>& state;
     Span<const Real> resistance;   ///< r_i = a_i + b_i |v_i|  [1/s]
+    Real spacing = 0;              ///< d0 [m]
 
     Real porosity(Index i) const { return state.porosity[i]; }
-    Real share(Index i) const { return state.share[i]; }
+    bool inSoil(Index i) const { return state.zone[i] != kClearWater; }
     Real mobility(Index i) const { return state.mobility[i]; }
     /// s_i = 1/(1 + k_i dt' r_i), the share of its momentum that drag leaves a particle.
     Real damping(Index i) const { return 1 / (1 + state.mobility[i] * dt * resistance[i]); }
-    /// s_ij with k_ij the harmonic and r_ij the arithmetic mean along the line from i to j.
-    Real damping(Index i, Index j) const { return 1 / (1 + pairMobility(i, j) * dt * pairResistance(i, j)); }
+    /// s_ij with k_ij the harmonic and r_ij the arithmetic mean along the line from i to j, x_ij.
+    Real damping(Index i, Index j, const Vec<Dim>& x) const
+    {
+        return 1 / (1 + pairMobility(i, j) * dt * pairResistance(i, j, x));
+    }
     /// beta = k dt' s, what a pressure gradient does to v_D.
     Real beta(Index i) const { return state.mobility[i] * dt * damping(i); }
-    Real beta(Index i, Index j) const { return pairMobility(i, j) * dt * damping(i, j); }
-    /// Unit normal of the soil surface between i and j, zero where there is none.
+    Real beta(Index i, Index j, const Vec<Dim>& x) const { return pairMobility(i, j) * dt * damping(i, j, x); }
+    /// Whether the face of another zone is so near that the soil sums tell its place.
+    bool atFace(Index i) const { return state.depth[i] < latticeSpline::kDeep; }
+    /// Unit normal of the face between i and j, zero where there is none.
     Vec<Dim> normal(Index i, Index j) const { return unit(state.normal[i] + state.normal[j]); }
+    /// w.x_ij of a pair as far as its damping acts on it: across a face only the part through it, so that soil is no
+    /// no-slip wall to the water along it.
+    Real damped(Index i, Index j, const Vec<Dim>& w, const Vec<Dim>& x) const
+    {
+        if (state.zone[i] == state.zone[j]) return dot(w, x);
+        const Vec<Dim> n = normal(i, j);
+        return dot(w, n) * dot(n, x);
+    }
 
 private:
-    /// Share of the line from i to j that has the soil (or water) of i: a soil surface between them cuts
-    /// it in proportion to their depths; elsewhere one half.                         [theory (4.15)]
-    Real weight(Index i, Index j) const
+    /// Share of the line from i to j that lies in the soil (or water) of i: a face between two zones cuts it in
+    /// proportion to their depths beneath it. Where one is deeper than the soil sums tell, the line does.  [theory (4.15)]
+    Real weight(Index i, Index j, const Vec<Dim>& x) const
     {
-        const Real a = state.depth[i], b = state.depth[j];
-        return a * b < 0 ? a / (a - b) : Real(0.5);
+        if (state.zone[i] == state.zone[j]) return Real(0.5);
+        const Real a = state.depth[i], b = state.depth[j], both = a + b;
+        if (atFace(i) == atFace(j)) return both > 0 ? a / both : Real(0.5);
+        const Real across = std::max(both, std::abs(dot(normal(i, j), x)) / spacing);
+        return atFace(i) ? a / across : 1 - b / across;
     }
     Real pairMobility(Index i, Index j) const
     {
-        const Real t = weight(i, j);
-        return 1 / (t / state.mobility[i] + (1 - t) / state.mobility[j]);
+        return 2 * state.mobility[i] * state.mobility[j] / (state.mobility[i] + state.mobility[j]);
     }
-    Real pairResistance(Index i, Index j) const
+    Real pairResistance(Index i, Index j, const Vec<Dim>& x) const
     {
-        const Real t = weight(i, j);
+        const Real t = weight(i, j, x);
         return t * resistance[i] + (1 - t) * resistance[j];
     }
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "porous/PorousField.hpp"
 
+#include "core/LatticeSpline.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,22 +11,7 @@ namespace isph {
 namespace {
 constexpr Real kLeastPorosity = 0.02;   // reached only by clumps of released grains
 constexpr Real kLeastOpenSpace = 0.1;   // share of a kernel that is not wall, deep in corners
-constexpr Real kSoilWidth = 1.5;        // h of the soil sums in d0, for a support of 2 h
 
-/// Drag factor across a soil surface: no thin tail of drag reaches into the water above it.
-Real clampedShare(Real share)
-{
-    return std::clamp((share - kClampCentre) / kClampWidth + Real(0.5), Real(0), Real(1));
-}
-
-/// Depth into the bed in d0. Across a flat surface phi is close to a normal distribution of standard
-/// deviation 0.79 d0; its logistic twin is inverted, as far as phi still tells a depth. [theory (4.15)]
-Real depthOf(Real share)
-{
-    constexpr Real width = 0.79 / 1.7, most = 2.2;
-    const Real bounded = std::clamp(share, Real(1e-3), Real(1 - 1e-3));
-    return std::clamp(width * std::log(bounded / (1 - bounded)), -most, most);
-}
 /// Ranks of the zones by their resistance to 1 mm/s: at a face between two soils the gradient of the rank
 /// is the normal, as that of phi is at a face to water.                                    [theory (4.14)]
 std::vector<Real> ranksOf(const std::vector<SoilZone>& zones)
@@ -54,30 +41,17 @@ std::vector<SoilZone> readZones(const Dictionary& porousZones, const std::vector
     return zones;
 }
 
-/// Points near a place with their kernel values, in arrays that are used again.
 template <int Dim>
-struct PorousField<Dim>::Near {
-    std::vector<Index> j;
-    std::vector<Vec<Dim>> r;
-    std::vector<Real> q, w, slope;
-};
-
-template <int Dim>
-PorousField<Dim>::PorousField(std::vector<SoilZone> zones, const Kernel& kernel,
-                              const WallCloud<Dim>& walls, Real spacing)
+PorousField<Dim>::PorousField(std::vector<SoilZone> zones, const WallCloud<Dim>& walls, Real spacing)
     : zones_(std::move(zones)),
       rank_(ranksOf(zones_)),
-      kernel_(kernel),
-      h_(kSoilWidth * spacing * 2 / kernel.supportRadius()),
-      reach_(kernel.supportRadius() * h_),
       spacing_(spacing),
+      reach_(latticeSpline::kReach * spacing),
       wallX_(walls.x),
       wallVolume_(walls.volume)
 {
-    const Real power = Dim == 2 ? sqr(h_) : cube(h_);
-    scaleW_ = kernel.normalisation(Dim) / power / latticeSum(kernel, Dim, h_ / spacing);
-    scaleGrad_ = scaleW_ / sqr(h_);
-    wallGrid_.build(wallX_, reach_);
+    for (Real& V : wallVolume_) V /= Dim == 2 ? sqr(spacing) : cube(spacing);
+    wallGrid_.build(wallX_, reach_ / 2);
 }
 
 template <int Dim>
@@ -97,36 +71,70 @@ void PorousField<Dim>::place(const Soil<Dim>& soil, const PeriodicBox<Dim>& box)
             soilZone_.push_back(static_cast<Index>(soil.zone[k]));
             released_.push_back(released_[k]);
         });
-    soilGrid_.build(soilX_, reach_);
+    for (Real& V : soilVolume_) V /= Dim == 2 ? sqr(spacing_) : cube(spacing_);
+    soilGrid_.build(soilX_, reach_ / 2);
 }
 
+/// Points near a place with their weights, in arrays that are used again.
 template <int Dim>
-void PorousField<Dim>::gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points,
-                              const Vec<Dim>& x, Near& near) const
+struct PorousField<Dim>::Near {
+    std::vector<Index> k;
+    std::array<std::vector<Real>, Dim> r, M, slope;   ///< in units of d0, along each axis
+
+    void weigh()
+    {
+        for (int d = 0; d < Dim; ++d) {
+            M[d].resize(k.size()), slope[d].resize(k.size());
+            for (std::size_t n = 0; n < k.size(); ++n) {
+                M[d][n] = latticeSpline::value(r[d][n]);
+                slope[d][n] = latticeSpline::slope(r[d][n]);
+            }
+        }
+    }
+    Real W(std::size_t n) const
+    {
+        Real W = 1;
+        for (int d = 0; d < Dim; ++d) W *= M[d][n];
+        return W;
+    }
+    Vec<Dim> gradW(std::size_t n) const
+    {
+        Vec<Dim> grad;
+        for (int d = 0; d < Dim; ++d) {
+            grad[d] = 1;
+            for (int e = 0; e < Dim; ++e) grad[d] *= d == e ? slope[e][n] : M[e][n];
+        }
+        return grad;
+    }
+};
+
+template <int Dim>
+void PorousField<Dim>::gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points, const Vec<Dim>& x,
+                              Near& near) const
 {
-    near.j.clear(), near.r.clear(), near.q.clear();
+    near.k.clear();
+    for (int d = 0; d < Dim; ++d) near.r[d].clear();
     grid.forEachNear(x, reach_, [&](Index k) {
-        const Vec<Dim> r = x - points[k];
-        const Real r2 = normSqr(r);
-        if (r2 >= sqr(reach_)) return;
-        near.j.push_back(k), near.r.push_back(r), near.q.push_back(std::sqrt(r2) / h_);
+        const Vec<Dim> r = (1 / spacing_) * (x - points[k]);
+        for (int d = 0; d < Dim; ++d)
+            if (std::abs(r[d]) >= latticeSpline::kReach) return;
+        near.k.push_back(k);
+        for (int d = 0; d < Dim; ++d) near.r[d].push_back(r[d]);
     });
-    near.w.resize(near.q.size()), near.slope.resize(near.q.size());
-    kernel_.evaluate(near.q, near.w, near.slope);
+    near.weigh();
 }
 
 template <int Dim>
-SoilSums<Dim> PorousField<Dim>::sums(const Vec<Dim>& x, Index except, Near& near,
-                                     std::vector<Real>& zoneShare) const
+SoilSums<Dim> PorousField<Dim>::sums(const Vec<Dim>& x, Index except, Near& near, std::vector<Real>& zoneShare) const
 {
     SoilSums<Dim> s;
     std::fill(zoneShare.begin(), zoneShare.end(), Real(0));
     gather(soilGrid_, soilX_, x, near);
-    for (std::size_t n = 0; n < near.j.size(); ++n) {
-        const Index k = near.j[n];
+    for (std::size_t n = 0; n < near.k.size(); ++n) {
+        const Index k = near.k[n];
         if (k == except) continue;
-        const Real VW = soilVolume_[k] * near.w[n] * scaleW_;
-        const Vec<Dim> VgradW = (soilVolume_[k] * near.slope[n] * scaleGrad_) * near.r[n];
+        const Real VW = soilVolume_[k] * near.W(n);
+        const Vec<Dim> VgradW = (soilVolume_[k] / spacing_) * near.gradW(n);
         s.solid += VW;
         s.gradSolid += VgradW;
         if (released_[k]) {
@@ -144,10 +152,10 @@ SoilSums<Dim> PorousField<Dim>::sums(const Vec<Dim>& x, Index except, Near& near
     gather(wallGrid_, wallX_, x, near);
     Real wall = 0;
     Vec<Dim> gradWall;
-    for (std::size_t n = 0; n < near.j.size(); ++n) {
-        const Real V = wallVolume_[near.j[n]];
-        wall += V * near.w[n] * scaleW_;
-        gradWall += (V * near.slope[n] * scaleGrad_) * near.r[n];
+    for (std::size_t n = 0; n < near.k.size(); ++n) {
+        const Real V = wallVolume_[near.k[n]];
+        wall += V * near.W(n);
+        gradWall += (V / spacing_) * near.gradW(n);
     }
     s.open = std::max(kLeastOpenSpace, 1 - wall);
     s.gradShare += s.share / s.open * gradWall;
@@ -159,35 +167,36 @@ SoilSums<Dim> PorousField<Dim>::sums(const Vec<Dim>& x, Index except, Near& near
 template <int Dim>
 SoilSums<Dim> PorousField<Dim>::at(const Vec<Dim>& x, Index except) const
 {
-    Near near;
-    std::vector<Real> zoneShare(zones_.size());
+    thread_local Near near;
+    thread_local std::vector<Real> zoneShare;
+    zoneShare.resize(zones_.size());
     return sums(x, except, near, zoneShare);
+}
+
+template <int Dim>
+Real PorousField<Dim>::porosityOf(const SoilSums<Dim>& s)
+{
+    return std::max(kLeastPorosity, 1 - s.solid / s.open);
 }
 
 template <int Dim>
 void PorousField<Dim>::setParticle(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare,
                                    std::size_t i, PorousState<Dim>& state) const
 {
-    const Real eps = std::max(kLeastPorosity, 1 - s.solid / s.open);
+    const Real eps = porosityOf(s);
     const Real share = std::min(Real(1), s.share / s.open);
-    Real a = 0, b = 0, inertia = 1;
-    if (share > 0) {
-        const Real drag = clampedShare(share) / s.share;
-        Real dominant = 0;
-        for (std::size_t z = 0; z < zones_.size(); ++z) {
-            a += drag * zoneShare[z] * zones_[z].resistance.linear;
-            b += drag * zoneShare[z] * zones_[z].resistance.quadratic;
-            if (zoneShare[z] > dominant) {
-                dominant = zoneShare[z];
-                inertia = zones_[z].model->inertiaCoefficient(eps);
-            }
-        }
-    }
+    const auto soil = std::max_element(zoneShare.begin(), zoneShare.end());
+    const auto& law = zones_[static_cast<std::size_t>(soil - zoneShare.begin())];
+    const Real ofSoil = *soil / s.open, clear = 1 - share;
+    const bool inSoil = ofSoil > clear;
+    const Resistance resistance = inSoil ? law.resistance : Resistance{};
+    const Real inertia = ofSoil > 0 ? law.model->inertiaCoefficient(eps) : 1;
     state.porosity[i] = eps;
     state.share[i] = share;
-    state.depth[i] = depthOf(share);
-    state.linear[i] = a;
-    state.quadratic[i] = b;
+    state.zone[i] = inSoil ? static_cast<Index>(soil - zoneShare.begin()) : kClearWater;
+    state.depth[i] = latticeSpline::depthOf(std::max(ofSoil, clear));
+    state.linear[i] = resistance.linear;
+    state.quadratic[i] = resistance.quadratic;
     state.mobility[i] = eps / inertia;
     state.normal[i] = s.gradRank;
     if (anyReleased_) state.solidsDivergence[i] = s.divergence;
@@ -197,8 +206,8 @@ template <int Dim>
 void PorousField<Dim>::evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state) const
 {
     const std::size_t n = x.size();
-    state.porosity.resize(n), state.share.resize(n), state.depth.resize(n), state.linear.resize(n);
-    state.quadratic.resize(n), state.mobility.resize(n), state.normal.resize(n);
+    state.porosity.resize(n), state.share.resize(n), state.zone.resize(n), state.depth.resize(n);
+    state.linear.resize(n), state.quadratic.resize(n), state.mobility.resize(n), state.normal.resize(n);
     state.solidsDivergence.resize(anyReleased_ ? n : 0);
 #pragma omp parallel
     {

@@ -3,7 +3,6 @@
 //                                                                          [theory (4.10)-(4.14)]
 #pragma once
 #include "boundaries/PointCloud.hpp"
-#include "kernels/Kernel.hpp"
 #include "neighbours/CellGrid.hpp"
 #include "porous/PorousModel.hpp"
 
@@ -13,9 +12,8 @@
 
 namespace isph {
 
-/// Across a soil surface the drag rises from 0 to that of intact soil while the share of soil goes
-/// through this width around this centre.                                             [theory (4.13)]
-inline constexpr Real kClampCentre = 0.5, kClampWidth = 0.2;
+/// Number of the clear water among the zones.
+inline constexpr Index kClearWater = -1;
 
 /// One soil zone with its law evaluated once.
 struct SoilZone {
@@ -34,15 +32,16 @@ template <int Dim>
 struct PorousState {
     std::vector<Real> porosity;     ///< eps, 1 in clear water
     std::vector<Real> share;        ///< phi of the bed: 0 in water, 1 in soil
-    std::vector<Real> depth;        ///< into the bed in d0, by phi: < 0 in water, 0 at its surface
-    std::vector<Real> linear;       ///< a [1/s]
-    std::vector<Real> quadratic;    ///< b [1/m]
+    std::vector<Index> zone;        ///< with the largest share, or kClearWater
+    std::vector<Real> depth;        ///< beneath the nearest face of that zone, in d0
+    std::vector<Real> linear;       ///< a of the zone [1/s]
+    std::vector<Real> quadratic;    ///< b of the zone [1/m]
     std::vector<Real> mobility;     ///< k = eps/C_r(eps)
     std::vector<Vec<Dim>> normal;   ///< grad psi, towards the soil that resists more [1/m]; its direction is used
     std::vector<Real> solidsDivergence;   ///< div q of released soil = d eps/dt [1/s]; empty without
 };
 
-/// Kernel sums over soil and walls at a point.
+/// Sums over soil and walls at a point.
 template <int Dim>
 struct SoilSums {
     Real solid = 0;             ///< volume of grains per volume, bed and released
@@ -56,8 +55,7 @@ struct SoilSums {
 template <int Dim>
 class PorousField {
 public:
-    PorousField(std::vector<SoilZone> zones, const Kernel& kernel, const WallCloud<Dim>& walls,
-                Real spacing);
+    PorousField(std::vector<SoilZone> zones, const WallCloud<Dim>& walls, Real spacing);
 
     const std::vector<SoilZone>& zones() const { return zones_; }
 
@@ -68,24 +66,26 @@ public:
     /// divided by the share of the kernel that is not wall.
     void evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state) const;
 
+    /// eps at one point.
+    Real porosityAt(const Vec<Dim>& x) const { return porosityOf(at(x, -1)); }
+
     /// The sums at one point, without the soil particle `except` (-1: with all).
     SoilSums<Dim> at(const Vec<Dim>& x, Index except) const;
 
 private:
+    static Real porosityOf(const SoilSums<Dim>& s);
     struct Near;
     SoilSums<Dim> sums(const Vec<Dim>& x, Index except, Near& near, std::vector<Real>& zoneShare) const;
-    void gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points, const Vec<Dim>& x,
-                Near& near) const;
+    void gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points, const Vec<Dim>& x, Near& near) const;
     void setParticle(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare, std::size_t i,
                      PorousState<Dim>& state) const;
 
     std::vector<SoilZone> zones_;
     std::vector<Real> rank_;   ///< of the zones: 1 for the least resistance, +1 for each tenfold of it
-    const Kernel& kernel_;
-    Real h_, reach_, scaleW_, scaleGrad_, spacing_;
+    Real spacing_, reach_;
     CellGrid<Dim> soilGrid_, wallGrid_;
     std::vector<Vec<Dim>> wallX_, soilX_, soilU_;
-    std::vector<Real> wallVolume_, soilVolume_;
+    std::vector<Real> wallVolume_, soilVolume_;   ///< in units of d0^D
     std::vector<Index> soilZone_;
     std::vector<char> released_;
     bool anyReleased_ = false;

@@ -74,6 +74,14 @@ void makeSolvable(SymmetricMatrix& matrix, Span<Real> b, const FloatingComponent
     }
 }
 
+void startAtZero(Span<Real> x, const FloatingComponents& floating)
+{
+    for (std::size_t c = 0; c < floating.size(); ++c) {
+        const Real first = x[floating[c].front()];
+        for (const Index i : floating[c]) x[i] -= first;
+    }
+}
+
 void removeMean(Span<Real> x, const FloatingComponents& floating)
 {
     for (std::size_t c = 0; c < floating.size(); ++c) subtractMean(x, floating[c]);

@@ -46,6 +46,9 @@ private:
 /// A row without any coefficient gets the diagonal 1, hence x = 0.
 void makeSolvable(SymmetricMatrix& matrix, Span<Real> b, const FloatingComponents& floating);
 
+/// Shifts a start x of the solver so that x_0 = 0 in each component, as in the solution.
+void startAtZero(Span<Real> x, const FloatingComponents& floating);
+
 /// Shifts x in each floating component so that its mean there is 0.
 void removeMean(Span<Real> x, const FloatingComponents& floating);
 

@@ -49,18 +49,23 @@ struct RowSum {
     const Real* own;
     Lanes diagonal{};
     std::array<Lanes, Dim> side{};   ///< sum V F beta x_ij
-    OuterSum<Dim> flux{};            ///< of D_i
+    OuterSum<Dim> flux{};            ///< of D_i, as far as it is s_i div w
+    Lanes crossing{};                ///< what the faces of soil add to it
 
     /// Returns the coefficients V F beta of eight pairs.
     Lanes add(const PairLanes& pairs, const std::array<Lanes, P::size>& of)
     {
-        const Lanes VSlope = of[P::volume] * pairs.slope, weight = -2 * VSlope * betas(pairs.j);
+        const Lanes VSlope = of[P::volume] * pairs.slope;
         std::array<Lanes, Dim> x, change;
         for (int d = 0; d < Dim; ++d) {
             x[d] = own[P::x + d] - of[P::x + d];
             change[d] = of[P::v + d] - own[P::v + d];
         }
-        if constexpr (Medium::hasSoil) dampFluxes(pairs.j, change);
+        const Lanes weight = -2 * VSlope * betas(pairs.j, x);
+        if constexpr (Medium::hasSoil) {
+            crossing += VSlope * heldAtFaces(pairs.j, change, x);
+            for (int d = 0; d < Dim; ++d) change[d] *= medium.damping(i);
+        }
         diagonal += weight;
         for (int d = 0; d < Dim; ++d) {
             side[d] += weight * x[d];
@@ -71,25 +76,24 @@ struct RowSum {
     }
 
 private:
-    Lanes betas(const Index* j) const
+    Lanes betas(const Index* j, const std::array<Lanes, Dim>& x) const
     {
         if constexpr (!Medium::hasSoil) return allLanes(medium.beta(i));
         Lanes beta{};
-        for (int l = 0; l < kLanes; ++l) beta[l] = medium.beta(i, j[l]);
+        for (int l = 0; l < kLanes; ++l) beta[l] = medium.beta(i, j[l], lane(x, l));
         return beta;
     }
-    /// D_i: divergence of the drag-damped predictor, each pair through the face between its partners. (5.2)
-    /// Along a soil surface water keeps its own damping, so that soil is no no-slip wall to it.
-    void dampFluxes(const Index* j, std::array<Lanes, Dim>& change) const
+    /// (s_ij - s_i)(w_i + w_j).x_ij, through a face where there is one: each pair has its own damping.        (5.2)
+    Lanes heldAtFaces(const Index* j, const std::array<Lanes, Dim>& change, const std::array<Lanes, Dim>& x) const
     {
-        const Real s_i = medium.damping(i);
+        Lanes held{};
         for (int l = 0; l < kLanes; ++l) {
-            const Vec<Dim> n = medium.normal(i, j[l]);
-            Real across = 0;
-            for (int d = 0; d < Dim; ++d) across += (2 * own[P::v + d] + change[d][l]) * n[d];
-            const Real more = (medium.damping(i, j[l]) - s_i) * across;
-            for (int d = 0; d < Dim; ++d) change[d][l] = s_i * change[d][l] + more * n[d];
+            const Vec<Dim> x_ij = lane(x, l);
+            Vec<Dim> w = lane(change, l);
+            for (int d = 0; d < Dim; ++d) w[d] += 2 * own[P::v + d];
+            held[l] = (medium.damping(i, j[l], x_ij) - medium.damping(i)) * medium.damped(i, j[l], w, x_ij);
         }
+        return held;
     }
 };
 
@@ -100,6 +104,18 @@ Real contract(const Mat<Dim>& L, const Mat<Dim>& M)
     Real sum = 0;
     for (int r = 0; r < Dim; ++r) sum += dot(L[r], M[r]);
     return sum;
+}
+
+/// s_i w_i - v_i, what the pressure took from the predictor, as far as the last step tells it: at a surface by its
+/// force gradient; in soil, where drag holds the momentum, by its velocity.                 [theory (5.4), (5.12)]
+template <int Dim, class Medium>
+Vec<Dim> lastChange(Index i, SurfaceRole role, const Medium& medium, const PressureSource<Dim>& source)
+{
+    if (role == SurfaceRole::near) return medium.beta(i) * atMost(source.forceGradient[i], norm(source.force));
+    if constexpr (Medium::hasSoil)
+        if (medium.inSoil(i) && !source.u.empty())
+            return medium.damping(i) * source.v[i] - medium.porosity(i) * source.u[i];
+    return {};
 }
 
 void countEntries(const PressureRows& rows, const auto& pairs, const auto& role, SymmetricMatrix& matrix)
@@ -183,13 +199,9 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
         Vec<Dim> wallGradient;
         pairs.forWalls(i, [&](const auto& pair) { wallGradient += points.volume[pair.j] * pair.gradW(); });
         const Mat<Dim>& L = corrections.L[i];
-        const Real divergence = contract(L, sum.flux.total())
+        const Real divergence = contract(L, sum.flux.total()) + sumOf(sum.crossing)
                               - medium.damping(i) * dot(source.v[i], L * wallGradient);   // walls at rest
-        Real deferred = 0;
-        if (role[i] == SurfaceRole::near) {
-            const Vec<Dim> c = atMost(source.forceGradient[i], norm(source.force));
-            deferred = -medium.beta(i) * dot(c, corrections.lopsided[i]);
-        }
+        const Real deferred = -dot(lastChange(i, role[i], medium, source), corrections.lopsided[i]);
         matrix.diagonal[r] = V_i * sumOf(sum.diagonal);
         rhs[r] = -V_i * (divergence - source.divergence[i] - dot(source.force, sumOf(sum.side)) + deferred - known);
         if (points.images() > 0) sortRow(matrix, matrix.rowStart[r], matrix.rowStart[r + 1]);

@@ -26,6 +26,7 @@ struct PressureSource {
     Span<const Real> divergence;          ///< wanted divergence of v_D after the step [1/s]
     Vec<Dim> force{};                     ///< g + body force
     Span<const Real> surfacePressure{};   ///< p/rho0 of surface particles [m2/s2]; empty: 0   [theory (6.9)]
+    Span<const Vec<Dim>> u{};             ///< pore velocity before the step, of water in soil; empty: not asked for
 };
 
 /// Row i, multiplied by V_i so that the matrix is symmetric:                              [theory (5.1)]

@@ -102,7 +102,7 @@ public:
         scene_.wallCloud = WallCloud<Dim>(scene_.walls, scene_.box, reach);
         if (!zones_.empty()) {
             for (SoilZone& z : zones_) z.resistance = z.model->resistance(z.porosity, scene_.scheme.viscosity);
-            scene_.porous = std::make_unique<PorousField<Dim>>(std::move(zones_), *scene_.kernel, scene_.wallCloud,
+            scene_.porous = std::make_unique<PorousField<Dim>>(std::move(zones_), scene_.wallCloud,
                                                                scene_.scheme.spacing);
             scene_.porous->place(scene_.soil, scene_.box);
         }

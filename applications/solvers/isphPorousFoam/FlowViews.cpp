@@ -3,6 +3,8 @@
 
 #include "SceneFiles.hpp"
 
+#include <algorithm>
+
 namespace isph {
 
 template <int Dim>
@@ -21,7 +23,13 @@ FlowView flowView(const Scene<Dim>& scene, const StepFields<Dim>& fields, Real t
     view.id = scene.water.id;
     view.porosity.assign(fields.soil.porosity.begin(), fields.soil.porosity.begin() + n);
     view.scalars["porosity"] = view.porosity;
-    view.scalars["p"] = pressure(scene);
+    if (scene.porous)
+        view.porosityAt = [&soil = *scene.porous](const Vector3& place) {
+            Vec<Dim> x;
+            std::copy_n(place.begin(), Dim, x.c.begin());
+            return soil.porosityAt(x);
+        };
+    view.scalars["p"] = pressure(scene, fields);
     view.vectors["U"] = toVectors3(scene.water.u);
     std::vector<Vec<Dim>> darcy(scene.water.u);
     for (std::size_t i = 0; i < darcy.size(); ++i) darcy[i] *= view.porosity[i];

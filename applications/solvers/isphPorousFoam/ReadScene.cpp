@@ -77,7 +77,7 @@ void readSoil(const CaseFiles& files, Scene<Dim>& scene)
     if (scene.soil.size() == 0) return;
     std::vector<SoilZone> zones = readZones(files.porousZones, scene.soil.names);
     for (SoilZone& zone : zones) zone.resistance = zone.model->resistance(zone.porosity, scene.scheme.viscosity);
-    scene.porous = std::make_unique<PorousField<Dim>>(std::move(zones), *scene.kernel, scene.wallCloud,
+    scene.porous = std::make_unique<PorousField<Dim>>(std::move(zones), scene.wallCloud,
                                                       scene.scheme.spacing);
     scene.porous->place(scene.soil, scene.box);
 }

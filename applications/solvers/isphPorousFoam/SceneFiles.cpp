@@ -50,7 +50,7 @@ template <int Dim>
 ParticleFile waterFile(const Scene<Dim>& scene, const StepFields<Dim>& fields)
 {
     ParticleFile file = fileOf(scene.water, scene.scheme.spacing);
-    file.scalars["p"] = pressure(scene);
+    file.scalars["p"] = pressure(scene, fields);
     const auto& eps = fields.soil.porosity;
     file.scalars["porosity"].assign(eps.begin(), eps.begin() + static_cast<std::ptrdiff_t>(scene.water.size()));
     if (scene.porous) {
@@ -62,15 +62,17 @@ ParticleFile waterFile(const Scene<Dim>& scene, const StepFields<Dim>& fields)
 }
 
 template <int Dim>
-std::vector<Real> pressure(const Scene<Dim>& scene)
+std::vector<Real> pressure(const Scene<Dim>& scene, const StepFields<Dim>& fields)
 {
     const Scheme<Dim>& scheme = scene.scheme;
     const Real g = norm(scheme.force), surface = Real(0.5) * scheme.density * g * scheme.spacing;
     std::vector<Real> p(scene.water.p);
-    if (g == 0) return p;
+    const auto& role = fields.role;
+    if (g == 0 || std::find(role.begin(), role.end(), SurfaceRole::surface) == role.end()) return p;
     parallelFor(p.size(), [&](Index i) {
+        const bool held = scene.porous && fields.soil.zone[i] != kClearWater;   // soil holds its water against falling
         const Real carried = norm(scene.water.forceGradient[i] + scheme.force) / g;   // |grad p|/(rho |f|)
-        p[i] += surface * std::min(Real(1), carried);
+        p[i] += surface * (held ? 1 : std::min(Real(1), carried));
     });
     return p;
 }
@@ -80,7 +82,7 @@ std::vector<Real> pressure(const Scene<Dim>& scene)
     template void requireApart(const Scene<Dim>&, const std::filesystem::path&);                   \
     template void sortParticles(Scene<Dim>&, Real);                                                \
     template ParticleFile waterFile(const Scene<Dim>&, const StepFields<Dim>&);                    \
-    template std::vector<Real> pressure(const Scene<Dim>&);
+    template std::vector<Real> pressure(const Scene<Dim>&, const StepFields<Dim>&);
 ISPH_INSTANTIATE(2)
 ISPH_INSTANTIATE(3)
 #undef ISPH_INSTANTIATE

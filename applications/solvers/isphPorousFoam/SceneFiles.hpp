@@ -33,6 +33,6 @@ ParticleFile waterFile(const Scene<Dim>& scene, const StepFields<Dim>& fields);
 /// spacing below the surface; rho |f| d0/2 is added where the pressure carries the water, less where
 /// it falls.                                                                          [theory (6.7)]
 template <int Dim>
-std::vector<Real> pressure(const Scene<Dim>& scene);
+std::vector<Real> pressure(const Scene<Dim>& scene, const StepFields<Dim>& fields);
 
 }  // namespace isph

@@ -112,7 +112,8 @@ private:
         const Real wet = filledShare(shares.water - 0.5 * (1 - shares.wall),
                                      shares.waterGradient + 0.5 * shares.wallGradient, cell_);
         const Real filled = wet > 0 && shares.wall > 0 ? std::min(wet, openShare(x)) : wet;
-        return filled > 0 ? volume * filled * shares.pores / shares.water : 0;
+        if (filled <= 0) return 0;
+        return volume * filled * (flow_.porosityAt ? flow_.porosityAt({x[0], x[1], x[2]}) : 1);
     }
 
     Real openShare(const Vec<3>& x) const
@@ -142,7 +143,7 @@ private:
 ///               where the water fills half of what the walls leave (water share = (1 - wall
 ///               share)/2), w that outside the walls (wall share < 1/2, by kernels of half the
 ///               width, because the contour of a share cuts corners off), both from the kernel sums
-///               at its centre; eps the interpolated porosity
+///               at its centre; eps the porosity there
 ///   spray       m/rho0 of the particles whose own place is not in that water (drops of one or a
 ///   few
 ///               particles, whose kernel sum stays below the half)

@@ -53,6 +53,7 @@ TEST(Volume, InSoilCountsThePores)
     const Real local = flow.spacing / std::sqrt(0.4);
     const Real wide = 12 * local;
     addWater(flow, {0, 0, 0}, {wide, 6 * local, 0}, 0.4);
+    flow.porosityAt = [face = 6 * local](const Vector3& x) { return x[1] < face ? 0.4 : 1.0; };
     addWater(flow, {0, 6 * local, 0}, {wide, 6 * local + 0.1, 0});
     flow.wallPosition.clear();
     flow.wallVolume.clear();

@@ -30,7 +30,7 @@ struct Equation {
         std::vector<Real> resistance(fields.soil.linear);
         resistance.resize(fields.points.fluid);
         if (scene.porous) fields.points.refresh(resistance);
-        if (scene.porous) with(WaterInSoil<Dim>{1e-3, fields.soil, resistance});
+        if (scene.porous) with(WaterInSoil<Dim>{1e-3, fields.soil, resistance, scene.scheme.spacing});
         else with(ClearWater<Dim>{1e-3});
     }
     PressureRows rows;

@@ -66,7 +66,7 @@ OneStep predictAndCorrect()
     fields.resistance.resize(fields.points.fluid);
     fields.points.refresh(fields.resistance);
     const StepWeights weights{1e-3, 0.8};
-    const WaterInSoil<2> medium{weights.dtPrime(), fields.soil, fields.resistance};
+    const WaterInSoil<2> medium{weights.dtPrime(), fields.soil, fields.resistance, scene.scheme.spacing};
     predict(scene.water, scene.wallCloud, medium, scene.scheme, weights, fields);
     OneStep result;
     result.predicted = fields.v;

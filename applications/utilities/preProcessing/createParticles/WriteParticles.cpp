@@ -89,7 +89,7 @@ std::vector<Real> porosity(const CaseSetup& setup, const ParticleFile& waterFile
     const PeriodicBox<Dim> box = boxOf<Dim>(setup.geometry);
     const WallCloud<Dim> walls(wallsOf<Dim>(wallFile), box, setup.supportRadius + spacing);
     const Soil<Dim> soil = soilOf<Dim>(soilFile);
-    PorousField<Dim> field(readZones(setup.porousZones, soil.names), *setup.kernel, walls, spacing);
+    PorousField<Dim> field(readZones(setup.porousZones, soil.names), walls, spacing);
     field.place(soil, box);
     PorousState<Dim> state;
     field.evaluate(waterOf<Dim>(waterFile).x, state);
