@@ -37,12 +37,27 @@ inline void storeLanes(const Lanes& a, Real* to)
     std::memcpy(to, &a, sizeof a);
 }
 
+/// Rounded to single precision.
+inline void storeLanes(const Lanes& a, float* to)
+{
+    using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
+    const Floats rounded = __builtin_convertvector(a, Floats);
+    std::memcpy(to, &rounded, sizeof rounded);
+}
+
 /// Whole numbers.
 inline void storeLanes(const Lanes& a, Index* to)
 {
     using Whole = Index __attribute__((vector_size(kLanes * sizeof(Index))));
     const Whole whole = __builtin_convertvector(a, Whole);
     std::memcpy(to, &whole, sizeof whole);
+}
+
+/// The nearest numbers of single precision.
+inline Lanes roundLanes(const Lanes& a)
+{
+    using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
+    return __builtin_convertvector(__builtin_convertvector(a, Floats), Lanes);
 }
 
 inline Lanes allLanes(Real a)

@@ -5,6 +5,8 @@
 #include "core/LatticeSpline.hpp"
 #include "porous/PorousField.hpp"
 
+#include <utility>
+
 namespace isph {
 
 /// k = 1, no drag.
@@ -43,7 +45,12 @@ struct WaterInSoil {
     }
     /// beta = k dt' s, what a pressure gradient does to v_D.
     Real beta(Index i) const { return state.mobility[i] * dt * damping(i); }
-    Real beta(Index i, Index j, const Vec<Dim>& x) const { return pairMobility(i, j) * dt * damping(i, j, x); }
+    /// The same bits from both sides of a pair, as the matrix is rounded.
+    Real beta(Index i, Index j, const Vec<Dim>& x) const
+    {
+        if (j < i) std::swap(i, j);
+        return pairMobility(i, j) * dt * damping(i, j, x);
+    }
     /// Whether the face of another zone is so near that the soil sums tell its place.
     bool atFace(Index i) const { return state.depth[i] < latticeSpline::kDeep; }
     /// Unit normal of the face between i and j, zero where there is none.

@@ -12,7 +12,7 @@
 namespace isph {
 
 namespace {
-const std::string kMagic = "isphEquation1\n";
+const std::string kMagic = "isphEquation2\n";
 
 template <class T>
 void put(std::ofstream& out, Span<const T> values)
@@ -46,8 +46,8 @@ void writeEquation(const std::filesystem::path& file, const SymmetricMatrix& mat
     put<std::int64_t>(out, sizes);
     put<PairIndex>(out, matrix.rowStart);
     put<Index>(out, matrix.column);
-    for (const Span<const Real> values :
-         {Span<const Real>(matrix.offDiagonal), Span<const Real>(matrix.diagonal), b, x})
+    put<float>(out, matrix.offDiagonal);
+    for (const Span<const Real> values : {Span<const Real>(matrix.diagonal), b, x})
         put<Real>(out, values);
     if (matrix.places.known()) {
         put<Real>(out, matrix.places.coordinate);

@@ -13,7 +13,7 @@ struct Equation {
     std::vector<Real> b, x;
 };
 
-/// Binary, in this machine's byte order: "isphEquation1\n", the numbers of rows, entries and
+/// Binary, in this machine's byte order: "isphEquation2\n", the numbers of rows, entries and
 /// dimensions (64-bit), then the arrays; the numbers of the particles may be left out. Throws
 /// FatalError where the file cannot be written.
 void writeEquation(const std::filesystem::path& file, const SymmetricMatrix& matrix,
@@ -33,6 +33,7 @@ public:
     SolverReport solve(const SymmetricMatrix& matrix, Span<const Real> b, Span<Real> x) override;
     void forget() override { solver_->forget(); }
     void release() override { solver_->release(); }
+    void rest() override { solver_->rest(); }
 
 private:
     std::unique_ptr<PressureSolver> solver_;

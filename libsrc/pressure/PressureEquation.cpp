@@ -48,11 +48,12 @@ struct RowSum {
     Index i;
     const Real* own;
     Lanes diagonal{};
-    std::array<Lanes, Dim> side{};   ///< sum V F beta x_ij
+    std::array<Lanes, Dim> side{};   ///< sum V_i V_j F beta x_ij
     OuterSum<Dim> flux{};            ///< of D_i, as far as it is s_i div w
     Lanes crossing{};                ///< what the faces of soil add to it
 
-    /// Returns the coefficients V F beta of eight pairs.
+    /// Returns the coefficients V_i V_j F beta of eight pairs, rounded to single precision, the same from both
+    /// sides of a pair.
     Lanes add(const PairLanes& pairs, const std::array<Lanes, P::size>& of)
     {
         const Lanes VSlope = of[P::volume] * pairs.slope;
@@ -61,7 +62,7 @@ struct RowSum {
             x[d] = own[P::x + d] - of[P::x + d];
             change[d] = of[P::v + d] - own[P::v + d];
         }
-        const Lanes weight = -2 * VSlope * betas(pairs.j, x);
+        const Lanes weight = roundLanes(-2 * ((own[P::volume] * of[P::volume]) * pairs.slope) * betas(pairs.j, x));
         if constexpr (Medium::hasSoil) {
             crossing += VSlope * heldAtFaces(pairs.j, change, x);
             for (int d = 0; d < Dim; ++d) change[d] *= medium.damping(i);
@@ -118,6 +119,21 @@ Vec<Dim> lastChange(Index i, SurfaceRole role, const Medium& medium, const Press
     return {};
 }
 
+/// More room than the entries of a step take, so that those of the next ones fit.
+constexpr Real kRoom = 1.02;
+
+/// Resizes without a copy: where the room is too small it is given back first.
+template <class Value>
+void resizeEmpty(std::vector<Value>& values, PairIndex n)
+{
+    const auto size = static_cast<std::size_t>(n);
+    if (size > values.capacity()) {
+        values = {};
+        values.reserve(static_cast<std::size_t>(kRoom * static_cast<Real>(size)));
+    }
+    values.resize(size);
+}
+
 void countEntries(const PressureRows& rows, const auto& pairs, const auto& role, SymmetricMatrix& matrix)
 {
     matrix.rowStart.assign(rows.size() + 1, 0);
@@ -129,8 +145,8 @@ void countEntries(const PressureRows& rows, const auto& pairs, const auto& role,
         matrix.rowStart[r + 1] = entries;
     });
     for (std::size_t r = 0; r < rows.size(); ++r) matrix.rowStart[r + 1] += matrix.rowStart[r];
-    matrix.column.resize(matrix.rowStart.back());
-    matrix.offDiagonal.resize(matrix.rowStart.back());
+    resizeEmpty(matrix.column, matrix.rowStart.back());
+    resizeEmpty(matrix.offDiagonal, matrix.rowStart.back());
     matrix.diagonal.resize(rows.size());
 }
 
@@ -150,7 +166,7 @@ PairIndex writeUnknowns(SymmetricMatrix& matrix, PairIndex entry, const Lanes& r
     for (Index l = 0; l < pairs; ++l) {
         if (rows[l] < 0) continue;
         matrix.column[entry] = static_cast<Index>(rows[l]);
-        matrix.offDiagonal[entry++] = values[l];
+        matrix.offDiagonal[entry++] = static_cast<float>(values[l]);
     }
     return entry;
 }
@@ -163,6 +179,24 @@ void sortRow(SymmetricMatrix& matrix, PairIndex first, PairIndex last)
             std::swap(matrix.column[m], matrix.column[m - 1]);
             std::swap(matrix.offDiagonal[m], matrix.offDiagonal[m - 1]);
         }
+}
+/// Round-off in the places of images may round the two entries of a pair apart by one unit: both become what
+/// the lower row has, and row sums stay.
+void makeSymmetric(SymmetricMatrix& matrix, Index r)
+{
+    constexpr float rounding = 1e-6F;
+    const auto column = matrix.column.begin();
+    for (PairIndex k = matrix.rowStart[r]; k < matrix.rowStart[r + 1] && matrix.column[k] < r; ++k) {
+        const Index c = matrix.column[k];
+        const auto last = column + matrix.rowStart[c + 1];
+        const auto mirrored = std::lower_bound(column + matrix.rowStart[c], last, r);
+        if (mirrored == last || *mirrored != r) continue;
+        float& a = matrix.offDiagonal[k];
+        const float b = matrix.offDiagonal[mirrored - column];
+        if (std::abs(a - b) > -rounding * a) continue;   // a narrow box: another image of the same particle
+        matrix.diagonal[r] += static_cast<Real>(a) - static_cast<Real>(b);
+        a = b;
+    }
 }
 }  // namespace
 
@@ -188,8 +222,8 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
             const Lanes weight = sum.add(eight, of);
             const auto count = static_cast<Index>(std::min<PairIndex>(left, kLanes));
             const bool inner = role[i] == SurfaceRole::inner;
-            entry = inner && count == kLanes ? writeAll(matrix, entry, of[P::row], -V_i * weight)
-                                             : writeUnknowns(matrix, entry, of[P::row], -V_i * weight, count);
+            entry = inner && count == kLanes ? writeAll(matrix, entry, of[P::row], -weight)
+                                             : writeUnknowns(matrix, entry, of[P::row], -weight, count);
             left -= count;
             if (inner || source.surfacePressure.empty()) return;
             for (Index l = 0; l < count; ++l)
@@ -202,10 +236,14 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
         const Real divergence = contract(L, sum.flux.total()) + sumOf(sum.crossing)
                               - medium.damping(i) * dot(source.v[i], L * wallGradient);   // walls at rest
         const Real deferred = -dot(lastChange(i, role[i], medium, source), corrections.lopsided[i]);
-        matrix.diagonal[r] = V_i * sumOf(sum.diagonal);
-        rhs[r] = -V_i * (divergence - source.divergence[i] - dot(source.force, sumOf(sum.side)) + deferred - known);
-        if (points.images() > 0) sortRow(matrix, matrix.rowStart[r], matrix.rowStart[r + 1]);
+        matrix.diagonal[r] = sumOf(sum.diagonal);
+        rhs[r] = dot(source.force, sumOf(sum.side)) + known - V_i * (divergence - source.divergence[i] + deferred);
+        if (pairs.seesImages(i)) sortRow(matrix, matrix.rowStart[r], matrix.rowStart[r + 1]);
     });
+    if (points.images() > 0)
+        parallelForDynamic(rows.size(), [&](Index r) {
+            if (pairs.seesImages(rows.particle[r])) makeSymmetric(matrix, r);
+        });
     // A row without neighbours has no pressure; a one keeps the matrix positive definite.
     parallelFor(rows.size(), [&](Index r) {
         if (matrix.diagonal[r] <= 0) matrix.diagonal[r] = 1, rhs[r] = 0, anchored[r] = 1;

@@ -53,8 +53,10 @@ public:
     virtual SolverReport solve(const SymmetricMatrix& matrix, Span<const Real> b, Span<Real> x) = 0;
     /// Drops whatever is kept from earlier steps: a restarted run then goes on with the same bits.
     virtual void forget() {}
-    /// Gives its work arrays back until the next solve.
+    /// Gives everything back that takes memory, until the next solve.
     virtual void release() {}
+    /// The same between the solves of steps: only what the next one fills anew and the step needs room for.
+    virtual void rest() {}
 };
 
 }  // namespace isph

@@ -13,7 +13,7 @@ inline Real rowTimes(const SymmetricMatrix& matrix, Span<const Real> x, Index i)
 {
     Real sum = matrix.diagonal[i] * x[i];
     for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1]; ++k)
-        sum += matrix.offDiagonal[k] * x[matrix.column[k]];
+        sum += static_cast<Real>(matrix.offDiagonal[k]) * x[matrix.column[k]];
     return sum;
 }
 }  // namespace

@@ -19,15 +19,21 @@ struct RowPlaces {
 };
 
 /// Rows hold both halves of the off-diagonal entries, columns ascending; the diagonal stands apart.
-struct SymmetricMatrix {
+template <class Weight>
+struct RowMatrix {
     std::vector<PairIndex> rowStart{0};  ///< size()+1
     std::vector<Index> column;
-    std::vector<Real> offDiagonal;
+    std::vector<Weight> offDiagonal;
     std::vector<Real> diagonal;
     RowPlaces places{};  ///< optional; whoever assembles the matrix fills it or leaves it unknown
 
     std::size_t size() const { return diagonal.size(); }
 };
+
+/// The matrix of the pressure equation: an entry takes 8 bytes. Whoever assembles it sums the
+/// diagonal from the rounded off-diagonals, so that row sums are what they should be: a constant
+/// pressure drives nothing. Rounding changes coefficients by 6e-8, no more.
+using SymmetricMatrix = RowMatrix<float>;
 
 /// y = A x
 void multiply(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y);

@@ -21,6 +21,7 @@ public:
     SolverReport solve(const SymmetricMatrix& matrix, Span<const Real> b, Span<Real> x) override;
     void forget() override { lagCholmod_.forget(), multigridPCG_.forget(); }
     void release() override { multigridPCG_.release(); }
+    void rest() override { multigridPCG_.rest(); }
 
 private:
     LagCholmod lagCholmod_;

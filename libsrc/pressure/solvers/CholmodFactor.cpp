@@ -67,14 +67,16 @@ struct CholmodFactor::State {
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
-    void copyLowerHalf(const SymmetricMatrix& matrix);
+    template <class Weight>
+    void copyLowerHalf(const RowMatrix<Weight>& matrix);
     cholmod_sparse view();
     void analyse(cholmod_sparse& a);
     bool analyseInKeptOrder(cholmod_sparse& a);
     void check() const;
 };
 
-void CholmodFactor::State::copyLowerHalf(const SymmetricMatrix& matrix)
+template <class Weight>
+void CholmodFactor::State::copyLowerHalf(const RowMatrix<Weight>& matrix)
 {
     const std::size_t n = matrix.size();
     start.resize(n + 1), row.clear(), value.clear();
@@ -85,7 +87,7 @@ void CholmodFactor::State::copyLowerHalf(const SymmetricMatrix& matrix)
         for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1]; ++k) {
             if (matrix.column[k] < static_cast<Index>(i)) continue;
             row.push_back(matrix.column[k]);
-            value.push_back(matrix.offDiagonal[k]);
+            value.push_back(static_cast<Real>(matrix.offDiagonal[k]));
         }
     }
     start[n] = static_cast<int>(row.size());
@@ -145,7 +147,18 @@ CholmodFactor::CholmodFactor() : state_(std::make_unique<State>())
 }
 CholmodFactor::~CholmodFactor() = default;
 
-bool CholmodFactor::factorise(const SymmetricMatrix& matrix)
+bool CholmodFactor::factorise(const RowMatrix<float>& matrix)
+{
+    return factoriseAny(matrix);
+}
+
+bool CholmodFactor::factorise(const RowMatrix<Real>& matrix)
+{
+    return factoriseAny(matrix);
+}
+
+template <class Weight>
+bool CholmodFactor::factoriseAny(const RowMatrix<Weight>& matrix)
 {
     const OneThread guard;
     State& s = *state_;

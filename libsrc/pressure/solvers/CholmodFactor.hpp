@@ -19,7 +19,8 @@ public:
 
     /// False where A is not positive definite; no factor is then held.
     /// Throws FatalError where the factor does not fit into memory.
-    bool factorise(const SymmetricMatrix& matrix);
+    bool factorise(const RowMatrix<float>& matrix);
+    bool factorise(const RowMatrix<Real>& matrix);
     /// z = A^-1 r
     void apply(Span<const Real> r, Span<Real> z) override;
 
@@ -28,6 +29,9 @@ public:
     void forget();
 
 private:
+    template <class Weight>
+    bool factoriseAny(const RowMatrix<Weight>& matrix);
+
     struct State;
     std::unique_ptr<State> state_;
 };

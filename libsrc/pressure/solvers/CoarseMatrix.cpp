@@ -8,7 +8,7 @@ namespace isph {
 
 template <class Weight>
 void CoarseMatrixBuilder::build(const LevelMatrix<Weight>& fine, const RowSums& fineSums,
-                                const Aggregation& groups, SymmetricMatrix& coarse,
+                                const Aggregation& groups, CoarseMatrix& coarse,
                                 RowSums& coarseSums)
 {
     const std::size_t n = groups.size();
@@ -59,11 +59,16 @@ Index CoarseMatrixBuilder::sumRow(const LevelMatrix<Weight>& fine, const Aggrega
 
 template <class Weight>
 void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums& fineSums,
-                                 const Aggregation& groups, Part& part, SymmetricMatrix& coarse,
+                                 const Aggregation& groups, Part& part, CoarseMatrix& coarse,
                                  RowSums& coarseSums)
 {
     part.slot.assign(groups.size() + 1, -1);
-    part.columns.clear(), part.values.clear();
+    const bool leads = &part == &parts_.front();
+    std::vector<Index>& columns = leads ? coarse.column : part.columns;
+    std::vector<Real>& values = leads ? coarse.offDiagonal : part.values;
+    columns.clear(), values.clear();
+    const std::size_t room = (part.last - part.first) * (fine.column.size() / fine.size() + 1);
+    columns.reserve(room), values.reserve(room);   // coarse rows are the shorter ones
     Index base = 0;  // slots count on from row to row, so that none need be reset
     for (Index g = part.first; g < part.last; ++g) {
         const Index entries = sumRow(fine, groups, g, base, part);
@@ -76,8 +81,8 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
         }
         const auto column = part.column.begin();
         const auto value = part.value.begin();
-        part.columns.insert(part.columns.end(), column + kOthers, column + entries);
-        part.values.insert(part.values.end(), value + kOthers, value + entries);
+        columns.insert(columns.end(), column + kOthers, column + entries);
+        values.insert(values.end(), value + kOthers, value + entries);
         coarse.rowStart[g + 1] = entries - kOthers;
         coarse.diagonal[g] = excess + sum;
         coarseSums.excess[g] = excess;
@@ -86,7 +91,7 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
     }
 }
 
-void CoarseMatrixBuilder::join(SymmetricMatrix& coarse)
+void CoarseMatrixBuilder::join(CoarseMatrix& coarse)
 {
     coarse.rowStart[0] = 0;
     for (std::size_t g = 0; g < coarse.size(); ++g) coarse.rowStart[g + 1] += coarse.rowStart[g];
@@ -94,7 +99,7 @@ void CoarseMatrixBuilder::join(SymmetricMatrix& coarse)
     coarse.offDiagonal.resize(coarse.rowStart.back());
     const auto parts = static_cast<int>(parts_.size());
 #pragma omp parallel for schedule(static, 1) if (parts > 1)
-    for (int p = 0; p < parts; ++p) {
+    for (int p = 1; p < parts; ++p) {
         const PairIndex begin = coarse.rowStart[parts_[p].first];
         std::copy(parts_[p].columns.begin(), parts_[p].columns.end(),
                   coarse.column.begin() + begin);
@@ -103,7 +108,7 @@ void CoarseMatrixBuilder::join(SymmetricMatrix& coarse)
     }
 }
 
-void sortColumns(SymmetricMatrix& matrix)
+void sortColumns(CoarseMatrix& matrix)
 {
     std::vector<std::pair<Index, Real>> row;
     for (std::size_t i = 0; i < matrix.size(); ++i) {
@@ -120,7 +125,7 @@ void sortColumns(SymmetricMatrix& matrix)
 
 #define ISPH_INSTANTIATE(Weight)                                                         \
     template void CoarseMatrixBuilder::build(const LevelMatrix<Weight>&, const RowSums&, \
-                                             const Aggregation&, SymmetricMatrix&, RowSums&);
+                                             const Aggregation&, CoarseMatrix&, RowSums&);
 ISPH_INSTANTIATE(float)
 ISPH_INSTANTIATE(Real)
 #undef ISPH_INSTANTIATE

@@ -5,6 +5,9 @@
 
 namespace isph {
 
+/// Coarse levels are double: in single precision jumps of 1e6 are lost.
+using CoarseMatrix = RowMatrix<Real>;
+
 /// A_c = P^T A P with P_ig = 1 where row i belongs to group g: the sum of all entries between two
 /// groups. The diagonal is made as excess + sum of |off-diagonals|, not as the sum of what lies
 /// within a group: strong entries there would cancel and take the weak ones' digits with them.
@@ -12,7 +15,7 @@ class CoarseMatrixBuilder {
 public:
     template <class Weight>
     void build(const LevelMatrix<Weight>& fine, const RowSums& fineSums, const Aggregation& groups,
-               SymmetricMatrix& coarse, RowSums& coarseSums);
+               CoarseMatrix& coarse, RowSums& coarseSums);
 
 private:
     /// The rows of a run of groups, made by one thread. The row at hand is summed in `column` and
@@ -20,21 +23,23 @@ private:
     struct Part {
         Index first = 0, last = 0;
         std::vector<Index> slot;  ///< of group + 1 in the row at hand; less than its base: none yet
-        std::vector<Index> column, columns;
-        std::vector<Real> value, values;
+        std::vector<Index> column;
+        std::vector<Real> value;
+        std::vector<Index> columns;  ///< of all rows; the first part's go into the coarse matrix
+        std::vector<Real> values;
     };
     template <class Weight>
     Index sumRow(const LevelMatrix<Weight>& fine, const Aggregation& groups, Index g, Index base,
                  Part& part);
     template <class Weight>
     void gather(const LevelMatrix<Weight>& fine, const RowSums& fineSums, const Aggregation& groups,
-                Part& part, SymmetricMatrix& coarse, RowSums& coarseSums);
-    void join(SymmetricMatrix& coarse);
+                Part& part, CoarseMatrix& coarse, RowSums& coarseSums);
+    void join(CoarseMatrix& coarse);
 
     std::vector<Part> parts_;
 };
 
 /// Brings the columns of every row into ascending order.
-void sortColumns(SymmetricMatrix& matrix);
+void sortColumns(CoarseMatrix& matrix);
 
 }  // namespace isph

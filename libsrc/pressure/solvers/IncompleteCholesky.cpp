@@ -98,7 +98,7 @@ bool IncompleteCholesky::eliminateRow(const SymmetricMatrix& matrix, Index k, Re
         const PairIndex e = matrix.rowStart[i] + next - 2;
         const Index column = newRow_[matrix.column[e]];
         (column < k ? lowerColumn_[low++] : upperColumn_[high++]) = column;
-        value[next] = matrix.offDiagonal[e];
+        value[next] = static_cast<Real>(matrix.offDiagonal[e]);
         slot[column] = next;
     }
     std::sort(lowerColumn_.begin() + lowerStart_[k], lowerColumn_.begin() + low);

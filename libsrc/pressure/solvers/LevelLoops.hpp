@@ -56,7 +56,8 @@ struct LevelMatrix {
     }
 };
 
-inline LevelMatrix<Real> levelMatrix(const SymmetricMatrix& matrix)
+template <class Weight>
+LevelMatrix<Weight> levelMatrix(const RowMatrix<Weight>& matrix)
 {
     return {matrix.rowStart, matrix.column, matrix.offDiagonal, matrix.diagonal};
 }

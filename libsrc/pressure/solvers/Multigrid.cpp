@@ -34,46 +34,36 @@ void setSmoother(std::vector<Real>& inverse, Span<const Real> diagonal, const Ro
 }
 }  // namespace
 
-LevelMatrix<float> Multigrid::fine() const
-{
-    return {matrix_->rowStart, matrix_->column, offDiagonal_, diagonal_};
-}
-
 bool Multigrid::setUp(const SymmetricMatrix& matrix)
 {
     matrix_ = &matrix;
     used_ = 0;
-    if (!copyFine(matrix)) return false;
-    setSmoother(fine_.inverse, diagonal_, fine_.sums);
+    if (!sumFine(matrix)) return false;
+    setSmoother(fine_.inverse, matrix.diagonal, fine_.sums);
     fine_.t.resize(matrix.size());
     fine_.keys.clear();
     if (matrix.places.known()) cellKeys(matrix.places, fine_.keys);
     return coarsen(matrix);
 }
 
-/// Off-diagonals in single precision, the diagonal of the same row sums, what grouping needs.
-bool Multigrid::copyFine(const SymmetricMatrix& matrix)
+/// What grouping needs of the rows of A. False where a diagonal is not positive.
+bool Multigrid::sumFine(const SymmetricMatrix& matrix)
 {
     const std::size_t n = matrix.size();
-    offDiagonal_.resize(matrix.offDiagonal.size());
-    diagonal_.resize(n);
     fine_.sums.resize(n);
     const int failures = sumRows(n, [&](Index i) {
-        Real exact = 0, rounded = 0, lowest = 0;
+        Real sum = 0;
+        float lowest = 0;
         const PairIndex end = matrix.rowStart[i + 1];
-#pragma omp simd reduction(+ : exact, rounded) reduction(min : lowest)
+#pragma omp simd reduction(+ : sum) reduction(min : lowest)
         for (PairIndex k = matrix.rowStart[i]; k < end; ++k) {
-            const auto a_ij = static_cast<float>(matrix.offDiagonal[k]);
-            offDiagonal_[k] = a_ij;
-            exact += matrix.offDiagonal[k];
-            rounded += static_cast<Real>(a_ij);
+            sum += static_cast<Real>(matrix.offDiagonal[k]);
             lowest = std::min(lowest, matrix.offDiagonal[k]);
         }
-        const Real excess = matrix.diagonal[i] + exact;
-        diagonal_[i] = excess - rounded;
+        const Real excess = matrix.diagonal[i] + sum;
         fine_.sums.excess[i] = excess > kRounding * matrix.diagonal[i] ? excess : 0;
-        fine_.sums.largest[i] = -lowest;
-        return diagonal_[i] > 0 ? 0 : 1;
+        fine_.sums.largest[i] = -static_cast<Real>(lowest);
+        return matrix.diagonal[i] > 0 ? 0 : 1;
     });
     return failures == 0;
 }
@@ -82,8 +72,9 @@ bool Multigrid::coarsen(const SymmetricMatrix& matrix)
 {
     direct_ = true;
     if (matrix.size() <= kDirectRows) return factor_.forget(), factor_.factorise(matrix);
-    if (!group(fine(), fine_)) return direct_ = false, true;
-    addLevel(fine(), fine_);
+    const LevelMatrix<float> fine = levelMatrix(matrix);
+    if (!group(fine, fine_)) return direct_ = false, true;
+    addLevel(fine, fine_);
     while (true) {
         CoarseLevel& level = *coarse_[used_ - 1];
         if (level.matrix.size() <= kDirectRows) return factorise(level.matrix);
@@ -132,7 +123,7 @@ void Multigrid::addLevel(const LevelMatrix<Weight>& matrix, const Level& level)
                 [&](Index g) { coarse.keys[g] = coarserKey(level.keys[level.groups[g].front()]); });
 }
 
-bool Multigrid::factorise(SymmetricMatrix& coarsest)
+bool Multigrid::factorise(CoarseMatrix& coarsest)
 {
     for (Real& diagonal : coarsest.diagonal) diagonal *= 1 + kShift;
     sortColumns(coarsest);
@@ -142,7 +133,7 @@ bool Multigrid::factorise(SymmetricMatrix& coarsest)
 
 Real Multigrid::operatorComplexity() const
 {
-    const auto entries = [](const SymmetricMatrix& a) {
+    const auto entries = [](const auto& a) {
         return static_cast<Real>(a.column.size() + a.size());
     };
     Real sum = entries(*matrix_);
@@ -150,9 +141,9 @@ Real Multigrid::operatorComplexity() const
     return sum / entries(*matrix_);
 }
 
-Real Multigrid::multiplyAndDot(const SymmetricMatrix&, Span<const Real> x, Span<Real> y)
+Real Multigrid::multiplyAndDot(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y)
 {
-    return sumRows(x.size(), [&, a = fine()](Index i) {
+    return sumRows(x.size(), [&, a = levelMatrix(matrix)](Index i) {
         y[i] = a.rowTimes(x, i);
         return x[i] * y[i];
     });
@@ -161,7 +152,7 @@ Real Multigrid::multiplyAndDot(const SymmetricMatrix&, Span<const Real> x, Span<
 void Multigrid::apply(Span<const Real> r, Span<Real> z)
 {
     if (direct_ && used_ == 0) return factor_.apply(r, z);
-    cycle(fine(), fine_, 0, r, z);
+    cycle(levelMatrix(*matrix_), fine_, 0, r, z);
 }
 
 /// z = B r. Both smoothing steps are the same, so B is symmetric but for the inner iterations.

@@ -16,8 +16,7 @@ namespace isph {
 /// which makes up for what piecewise constant corrections lack; the coarsest by a Cholesky factor.
 /// The inner steps make B depend on r a little: it needs flexible conjugate gradients outside.
 ///
-/// Off-diagonals of level 0 are floats, its diagonal and all else are double; the diagonal is made
-/// from the floats so that row sums stay those of A. Groups of rows come from the places of the
+/// Level 0 is A itself, with off-diagonals in single precision; coarse levels are double. Groups of rows come from the places of the
 /// rows (Aggregation::byCells), from the coefficients alone where places are not known. No state is
 /// kept from matrix to matrix.
 class Multigrid : public Preconditioner {
@@ -25,7 +24,6 @@ public:
     /// False where a diagonal is not positive, or the coarsest matrix has no Cholesky factor.
     bool setUp(const SymmetricMatrix& matrix);
     void apply(Span<const Real> r, Span<Real> z) override;
-    /// With the float off-diagonals.
     Real multiplyAndDot(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y) override;
 
     std::size_t levels() const { return used_ + 1; }
@@ -43,18 +41,17 @@ private:
     };
     /// Right-hand side r, solution x, corrections c, d of the two steps, v = A c.
     struct CoarseLevel : Level {
-        SymmetricMatrix matrix;
+        CoarseMatrix matrix;
         std::vector<Real> r, x, c, d, v;
     };
 
-    bool copyFine(const SymmetricMatrix& matrix);
+    bool sumFine(const SymmetricMatrix& matrix);
     bool coarsen(const SymmetricMatrix& matrix);
     template <class Weight>
     bool group(const LevelMatrix<Weight>& matrix, Level& level);
     template <class Weight>
     void addLevel(const LevelMatrix<Weight>& matrix, const Level& level);
-    bool factorise(SymmetricMatrix& coarsest);
-    LevelMatrix<float> fine() const;
+    bool factorise(CoarseMatrix& coarsest);
 
     template <class Weight>
     void cycle(const LevelMatrix<Weight>& matrix, Level& level, std::size_t coarser,
@@ -62,9 +59,7 @@ private:
     void correct(Level& level, std::size_t coarser, Span<const Real> z);
     void solveCoarse(std::size_t l);
 
-    const SymmetricMatrix* matrix_ = nullptr;  ///< of the last setUp(): its pattern is used
-    std::vector<float> offDiagonal_;
-    std::vector<Real> diagonal_;
+    const SymmetricMatrix* matrix_ = nullptr;  ///< of the last setUp()
     Level fine_;
     std::vector<std::unique_ptr<CoarseLevel>> coarse_;  ///< kept from solve to solve
     std::size_t used_ = 0;                              ///< of them, by the matrix at hand

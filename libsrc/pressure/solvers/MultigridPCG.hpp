@@ -20,6 +20,8 @@ public:
         r_ = {};
     }
 
+    void rest() override { release(); }
+
 private:
     SolverControls controls_;
     std::unique_ptr<Multigrid> multigrid_ = std::make_unique<Multigrid>();

@@ -157,11 +157,12 @@ inline PressureSystem pressureSystem(const LayeredTank& tank)
         detail::forPartners(lattice, i, [&](const auto& j, Real w, const Vec<3>& x_ij) {
             const Real beta_j = lattice.beta(j);
             const Real weight = 2 * beta_i * beta_j / (beta_i + beta_j) * w;
-            sum += weight;
+            const auto a_ij = static_cast<float>(-weight);
+            sum -= static_cast<Real>(a_ij);
             gravity -= weight * x_ij[1];
             if (lattice.atmosphere(j)) return;
             a.column[entry] = lattice.row(j);
-            a.offDiagonal[entry++] = -weight;
+            a.offDiagonal[entry++] = a_ij;
         });
         a.diagonal[r] = sum;
         const Real phase = 3.0 * i[0] / lattice.n[0] + 2.0 * i[1] / lattice.n[1];

@@ -21,8 +21,9 @@ RowSums sumsOf(const SymmetricMatrix& a)
     for (std::size_t i = 0; i < a.size(); ++i) {
         sums.excess[i] = a.diagonal[i];
         for (PairIndex k = a.rowStart[i]; k < a.rowStart[i + 1]; ++k) {
-            sums.excess[i] += a.offDiagonal[k];
-            sums.largest[i] = std::max(sums.largest[i], -a.offDiagonal[k]);
+            const Real a_ij = a.offDiagonal[k];
+            sums.excess[i] += a_ij;
+            sums.largest[i] = std::max(sums.largest[i], -a_ij);
         }
     }
     return sums;
@@ -142,7 +143,7 @@ TEST(CoarseMatrix, IsTheSumOfTheEntriesBetweenGroups)
     tank.particles = 800, tank.jump = 1e2;
     const SymmetricMatrix a = pressureSystem(tank).matrix;
     const Aggregation groups = groupsOf(a, 0.05);
-    SymmetricMatrix coarse;
+    isph::CoarseMatrix coarse;
     RowSums sums;
     CoarseMatrixBuilder().build(levelMatrix(a), sumsOf(a), groups, coarse, sums);
     const std::size_t n = groups.size();

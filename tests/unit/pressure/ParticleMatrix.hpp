@@ -70,11 +70,12 @@ inline ParticleSystem particleSystem(const Scene& scene)
                     if (t == s || row[t] == absent || r >= support) continue;
                     const Real bi = scene.beta(ix, iy), bj = scene.beta(jx, jy);
                     const Real weight = 2 * bi * bj / (bi + bj) * cube(1 - r / support);
-                    sum += weight;
+                    const auto a_ij = static_cast<float>(-weight);
+                    sum -= static_cast<Real>(a_ij);
                     anchored |= row[t] == atmosphere;
                     if (row[t] < 0) continue;
                     a.column.push_back(row[t]);
-                    a.offDiagonal.push_back(-weight);
+                    a.offDiagonal.push_back(a_ij);
                 }
             a.diagonal.push_back(sum);
             a.rowStart.push_back(static_cast<PairIndex>(a.column.size()));

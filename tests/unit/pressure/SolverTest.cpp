@@ -268,7 +268,7 @@ TEST_P(EverySolver, NamesTheRowThatIsNotFinite)
     EXPECT_NE(message(s, zero).find("diagonal of row 11 is inf"), std::string::npos)
         << message(s, zero);
     s = good;
-    s.matrix.offDiagonal[s.matrix.rowStart[3]] = nan;
+    s.matrix.offDiagonal[s.matrix.rowStart[3]] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_NE(message(s, zero).find("off-diagonal coefficient of row 3"), std::string::npos)
         << message(s, zero);
     std::vector<Real> guess = zero;

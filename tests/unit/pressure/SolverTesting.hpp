@@ -57,7 +57,7 @@ inline SymmetricMatrix fromDense(const std::vector<std::vector<Real>>& dense)
         for (std::size_t j = 0; j < dense.size(); ++j)
             if (j != i && dense[i][j] != 0) {
                 a.column.push_back(static_cast<Index>(j));
-                a.offDiagonal.push_back(dense[i][j]);
+                a.offDiagonal.push_back(static_cast<float>(dense[i][j]));
             }
         a.diagonal.push_back(dense[i][i]);
         a.rowStart.push_back(static_cast<PairIndex>(a.column.size()));
