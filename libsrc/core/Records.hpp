@@ -3,7 +3,7 @@
 #pragma once
 #include "core/Lanes.hpp"
 
-#include <vector>
+#include <memory>
 
 namespace isph {
 
@@ -35,7 +35,7 @@ private:
     Real* first_;
 };
 
-/// Memory of records, used again by one pass over the pairs after the other.
+/// Memory of records, used again by one pass over the pairs after the other. It is not filled before its use.
 class RecordStore {
 public:
     /// Room for n records, whose numbers are whatever stood there.
@@ -49,18 +49,23 @@ public:
     Real* numbers(std::size_t n)
     {
         const std::size_t lines = n / kLanes + 1;
-        if (lines_.size() < lines) {
-            lines_.clear(), lines_.shrink_to_fit();
-            lines_.resize(lines + lines / 32);
+        if (size_ < lines) {
+            release();
+            size_ = lines + lines / 32;
+            lines_.reset(new Line[size_]);
         }
         return lines_[0].number.data();
     }
+
+    /// Gives the memory back until the next use.
+    void release() { lines_.reset(), size_ = 0; }
 
 private:
     struct alignas(64) Line {
         std::array<Real, kLanes> number;
     };
-    std::vector<Line> lines_;
+    std::unique_ptr<Line[]> lines_;
+    std::size_t size_ = 0;
 };
 
 }  // namespace isph

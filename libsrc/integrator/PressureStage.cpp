@@ -29,7 +29,9 @@ void PressureStage<Dim>::solve(Scene<Dim>& scene, const Medium& medium, const Pr
     const FloatingComponents& floating = components_.find(matrix_, anchored_);
     makeSolvable(matrix_, rhs_, floating);
     startAtZero(unknown_, floating);
+    fields.pairs.releaseRecords();   // of the memory of a step, its arrays and the solver's are never needed at once
     report.pressure = scene.solver->solve(matrix_, rhs_, unknown_);
+    scene.solver->rest();
     removeMean(unknown_, floating);
     report.unknowns = rows_.size();
     report.surfaceParticles = points.water - static_cast<Index>(rows_.size());

@@ -32,6 +32,9 @@ public:
     /// Gives the arrays of the pressure equation back until the next step.
     virtual void release() = 0;
 
+    /// Gives pairs and corrections back until the next look: makes room where a state is written.
+    void rest() { fields_.pairs.release(), fields_.corrections = {}; }
+
     const StepFields<Dim>& fields() const { return fields_; }
 
 protected:

@@ -69,12 +69,26 @@ public:
     /// Room for what one pass over the pairs wants to know of every partner; valid until the next call.
     template <int Size>
     Records<Size> records() const { return store_.template records<Size>(points_->fluid); }
+    /// Gives their memory back until the next call of records() or build().
+    void releaseRecords() const { store_.release(); }
+    /// Gives the memory of the pairs back until the next build(); what they reached stays known.
+    void release()
+    {
+        block_ = {}, row_ = {};
+        store_.release();
+    }
     /// No partner of i is nearer than this [m].
     Real nearest(Index i) const { return row_[i].nearest; }
 
     PairIndex size() const;
     PairIndex waterNeighbours(Index i) const { return row_[i].wallStart - row_[i].start; }
     PairIndex wallNeighbours(Index i) const { return row_[i].end - row_[i].wallStart; }
+    /// An image of water is among the partners of i.
+    bool seesImages(Index i) const
+    {
+        const Row& row = row_[i];
+        return row.wallStart > row.start && block_[i / kBlockRows].j[row.wallStart - 1] >= points_->water;
+    }
     /// W_ii
     Real selfW(Index i) const { return selfW0_ / power((*points_).h[i]); }
     const CellGrid<Dim>& grid() const { return grid_; }

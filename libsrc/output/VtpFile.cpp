@@ -221,7 +221,9 @@ Real ParticleFile::number(const std::string& name) const
     return values.front();
 }
 
-void writeParticleFile(const std::filesystem::path& file, const ParticleFile& particles)
+namespace {
+/// What stands in the file, without checksum. VTK's own copies of it end with this function.
+std::string fileText(const std::filesystem::path& file, const ParticleFile& particles)
 {
     vtkNew<vtkPolyData> poly;
     addPoints(*poly, particles);
@@ -239,7 +241,13 @@ void writeParticleFile(const std::filesystem::path& file, const ParticleFile& pa
     writer->WriteToOutputStringOn();
     if (!writer->Write() || messages.failed())
         throw FatalIOError("cannot write particles: " + messages.first(), file.string(), 0);
-    writeWholeFile(file, withChecksum(writer->GetOutputString()));
+    return writer->GetOutputString();
+}
+}  // namespace
+
+void writeParticleFile(const std::filesystem::path& file, const ParticleFile& particles)
+{
+    writeWholeFile(file, withChecksum(fileText(file, particles)));
 }
 
 ParticleFile readParticleFile(const std::filesystem::path& file)

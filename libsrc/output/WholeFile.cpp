@@ -90,8 +90,8 @@ void moveIntoPlace(const std::filesystem::path& from, const std::filesystem::pat
 std::string withChecksum(std::string content)
 {
     if (content.empty() || content.back() != '\n') content += '\n';
-    const std::string line = checksumLine(content);
-    return content += line;
+    content += checksumLine(content);
+    return content;
 }
 
 void requireUndamaged(std::string_view content, std::string_view lastTag, const std::string& source)

@@ -136,8 +136,9 @@ private:
     {
         const auto timer = timers_.scope("output");
         sort();
-        step_->release(), scene_.solver->release();   // makes room for the files
+        step_->release(), scene_.solver->release();
         step_->look();
+        step_->rest();   // makes room for the files
         const Real spacing = scene_.scheme.spacing;
         std::map<std::string, ParticleFile> files{{"water", waterFile(scene_, step_->fields())}};
         if (scene_.walls.size() > 0) files.emplace("walls", fileOf(scene_.walls, spacing));
