@@ -37,7 +37,10 @@ void layPoints(const Water<Dim>& water, Span<const Real> porosity, const WallClo
                const PeriodicBox<Dim>& box, Real spacing, Real h0, Real support, Points<Dim>& points)
 {
     const Index n = static_cast<Index>(water.size());
+    const std::size_t all = water.size() + static_cast<std::size_t>(points.images()) + walls.size();
     points.water = n;
+    if (points.x.capacity() < all) points.x = {}, points.owner = {};   // grown, they would take twice the room
+    points.x.reserve(all), points.owner.reserve(all);
     points.x.assign(water.x.begin(), water.x.end());
     points.owner.resize(n);
     Real largestH = h0;

@@ -4,7 +4,7 @@
 //     mpirun -n 2 benchHypreRanks [-repeat 3] <equation> ...
 //
 // Prints the least time of copy, setup and solve to a residual of 1e-6, and the iterations.
-#include "EquationOf.hpp"
+#include "SolveTimes.hpp"
 
 #include "pressure/hypre/BoomerAMG.hpp"
 
@@ -13,47 +13,63 @@ using namespace isph::test;
 
 namespace {
 
-struct Times {
-    double setup = 0, solve = 0;
-    int iterations = 0;
-    double total() const { return setup + solve; }
+/// A run of the rows.
+struct Part {
+    int ranks = 1, rank = 0;
+    std::size_t rows = 0;
+
+    Index first(int r) const
+    {
+        return static_cast<Index>(static_cast<std::int64_t>(rows) * r / ranks);
+    }
+    std::size_t size(int r) const { return static_cast<std::size_t>(first(r + 1) - first(r)); }
 };
 
-Times measure(BoomerAMG& solver, const Equation& equation, Index first, Index last)
+/// The true residual of what the ranks have found, over |b|.
+Real trueResidual(const Part& part, const Equation& equation, std::vector<Real>& own)
 {
-    std::vector<Real> r(equation.b.size());
-    const Real target =
-        1e-6 * std::sqrt(orderedSum(r.size(), [&](Index i) { return sqr(equation.b[i]); }));
+    std::vector<int> count, start;
+    for (int r = 0; r < part.ranks; ++r) {
+        count.push_back(static_cast<int>(part.size(r)));
+        start.push_back(part.first(r));
+    }
+    std::vector<Real> x(part.rows);
+    MPI_Allgatherv(own.data(), count[part.rank], MPI_DOUBLE, x.data(), count.data(), start.data(),
+                   MPI_DOUBLE, MPI_COMM_WORLD);
+    return residualNorm(equation.matrix, x, equation.b) / bNorm(equation);
+}
+
+SolveTimes measure(BoomerAMG& solver, const Equation& equation, const Part& part)
+{
+    const Index first = part.first(part.rank);
+    const std::size_t rows = part.size(part.rank);
+    const Real target = 1e-6 * bNorm(equation);
     MPI_Barrier(MPI_COMM_WORLD);
     const double begin = MPI_Wtime();
-    solver.setUpRows(equation.matrix, first, last, true);
+    solver.setUpRows(equation.matrix, first, part.first(part.rank + 1), true);
     MPI_Barrier(MPI_COMM_WORLD);
     const double ready = MPI_Wtime();
     const Span<const Real> b = equation.b;
-    std::vector<Real> x(equation.x.begin() + first, equation.x.begin() + last);
-    Times times;
-    times.iterations = solver.iterate(b.subspan(first, x.size()), x, target, 500);
+    std::vector<Real> x(equation.x.begin() + first, equation.x.begin() + first + rows);
+    SolveTimes times;
+    times.iterations = solver.iterate(b.subspan(first, rows), x, target, 500);
     MPI_Barrier(MPI_COMM_WORLD);
     times.setup = ready - begin, times.solve = MPI_Wtime() - ready;
+    times.residual = trueResidual(part, equation, x);
     return times;
 }
 
-void run(const std::string& word, int repeats, int rank, int ranks)
+void run(const std::string& word, int repeats, Part part)
 {
     const Equation equation = equationOf(word);
-    const auto rows = static_cast<std::int64_t>(equation.b.size());
-    const auto first = static_cast<Index>(rows * rank / ranks);
-    const auto last = static_cast<Index>(rows * (rank + 1) / ranks);
+    part.rows = equation.b.size();
     BoomerAMG solver(Dictionary::parse("", "bench"), MPI_COMM_WORLD);
-    Times best;
-    for (int i = 0; i <= repeats; ++i) {  // the first is left out
-        const Times now = measure(solver, equation, first, last);
-        if (i <= 1 || now.total() < best.total()) best = now;
-    }
-    if (rank == 0)
-        fmt::print(
-            "{}  {} rows  {} ranks  setup {:.4f} s  solve {:.4f} s  sum {:.4f} s  {} iterations\n",
-            word, rows, ranks, best.setup, best.solve, best.total(), best.iterations);
+    const SolveTimes best = fastest(repeats, [&] {
+        SolveTimes now = measure(solver, equation, part);
+        MPI_Bcast(&now, sizeof now, MPI_BYTE, 0, MPI_COMM_WORLD);  // all ranks choose alike
+        return now;
+    });
+    if (part.rank == 0) print(word, part.rows, part.ranks, best);
 }
 
 }  // namespace
@@ -63,15 +79,11 @@ int main(int argc, char** argv)
     MPI_Init(&argc, &argv);
     int exitCode = 0;
     try {
-        int rank = 0, ranks = 1, repeats = 3;
-        MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-        MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-        std::vector<std::string> words(argv + 1, argv + argc);
-        if (words.size() > 1 && words[0] == "-repeat") {
-            repeats = std::stoi(words[1]);
-            words.erase(words.begin(), words.begin() + 2);
-        }
-        for (const std::string& word : words) run(word, repeats, rank, ranks);
+        Part part;
+        MPI_Comm_rank(MPI_COMM_WORLD, &part.rank);
+        MPI_Comm_size(MPI_COMM_WORLD, &part.ranks);
+        const BenchWords words(argc, argv);
+        for (const std::string& word : words.equations) run(word, words.repeats, part);
     } catch (const std::exception& error) {
         exitCode = reportFatal(error);
     }
