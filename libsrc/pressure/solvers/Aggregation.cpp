@@ -174,7 +174,7 @@ void Aggregation::byNeighbours(const LevelMatrix<Weight>& matrix, const RowSums&
 void Aggregation::number()
 {
     const auto n = static_cast<Index>(root_.size());
-    numberOfRoot_.assign(n, -1);
+    next_.assign(n, -1);  // the number of each root
     group.resize(n);
     Index groups = 0;
     for (Index i = 0; i < n; ++i) {
@@ -182,7 +182,7 @@ void Aggregation::number()
             group[i] = -1;
             continue;
         }
-        Index& number = numberOfRoot_[root_[i]];
+        Index& number = next_[root_[i]];
         if (number < 0) number = groups++;
         group[i] = number;
     }

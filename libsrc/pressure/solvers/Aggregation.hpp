@@ -59,7 +59,6 @@ private:
 
     std::vector<Index> root_;         ///< any one row of the piece; -1: the row stays out
     std::vector<Index> head_, next_;  ///< rows of each bucket of keys, ascending; -1: the end
-    std::vector<Index> numberOfRoot_;
 };
 
 }  // namespace isph

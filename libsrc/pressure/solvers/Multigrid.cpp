@@ -26,24 +26,33 @@ constexpr Real kRounding = 1e-14;
 /// 0.
 constexpr Real kShift = 1e-13;
 
-void setSmoother(std::vector<Real>& inverse, Span<const Real> diagonal, const RowSums& sums)
-{
-    inverse.resize(diagonal.size());
-    forRows(diagonal.size(),
-            [&](Index i) { inverse[i] = (sums.largest[i] > 0 ? kDamping : 1) / diagonal[i]; });
-}
 }  // namespace
+
+/// The smoother, and t in place of the largest entries.
+void Multigrid::Level::finish(Span<const Real> diagonal)
+{
+    forRows(diagonal.size(),
+            [&](Index i) { sums.excess[i] = (sums.largest[i] > 0 ? kDamping : 1) / diagonal[i]; });
+    begin();
+}
 
 bool Multigrid::setUp(const SymmetricMatrix& matrix)
 {
     matrix_ = &matrix;
     used_ = 0;
+    if (fine_.sums.excess.empty()) fine_.begin();
     if (!sumFine(matrix)) return false;
-    setSmoother(fine_.inverse, matrix.diagonal, fine_.sums);
-    fine_.t.resize(matrix.size());
     fine_.keys.clear();
     if (matrix.places.known()) cellKeys(matrix.places, fine_.keys);
-    return coarsen(matrix);
+    const bool made = coarsen(matrix);
+    finish(matrix);
+    return made;
+}
+
+void Multigrid::finish(const SymmetricMatrix& matrix)
+{
+    fine_.finish(matrix.diagonal);
+    for (std::size_t l = 0; l < used_; ++l) coarse_[l]->finish(coarse_[l]->matrix.diagonal);
 }
 
 /// What grouping needs of the rows of A. False where a diagonal is not positive.
@@ -112,10 +121,10 @@ void Multigrid::addLevel(const LevelMatrix<Weight>& matrix, const Level& level)
 {
     if (used_ == coarse_.size()) coarse_.push_back(std::make_unique<CoarseLevel>());
     CoarseLevel& coarse = *coarse_[used_++];
+    if (coarse.sums.excess.empty()) coarse.begin();
     builder_.build(matrix, level.sums, level.groups, coarse.matrix, coarse.sums);
-    setSmoother(coarse.inverse, coarse.matrix.diagonal, coarse.sums);
     const std::size_t n = level.groups.size();
-    for (std::vector<Real>* v : {&coarse.t, &coarse.r, &coarse.x, &coarse.c, &coarse.d, &coarse.v})
+    for (std::vector<Real>* v : {&coarse.r, &coarse.x, &coarse.c, &coarse.d, &coarse.v})
         v->resize(n);
     coarse.keys.resize(level.keys.empty() ? 0 : n);
     if (!level.keys.empty())

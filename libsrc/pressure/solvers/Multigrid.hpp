@@ -33,11 +33,14 @@ public:
 private:
     /// What every level has to smooth and to go down.
     struct Level {
-        RowSums sums;
-        std::vector<Real> inverse;  ///< of the smoother, damping included
+        RowSums sums;               ///< while the hierarchy is made
         std::vector<CellKey> keys;  ///< empty: places are not known
         Aggregation groups;         ///< unused on the coarsest level
-        std::vector<Real> t;
+        std::vector<Real> inverse;  ///< of the smoother, damping included; in the memory of sums
+        std::vector<Real> t;        ///< the same
+
+        void begin() { sums.excess.swap(inverse), sums.largest.swap(t); }
+        void finish(Span<const Real> diagonal);
     };
     /// Right-hand side r, solution x, corrections c, d of the two steps, v = A c.
     struct CoarseLevel : Level {
@@ -47,6 +50,7 @@ private:
 
     bool sumFine(const SymmetricMatrix& matrix);
     bool coarsen(const SymmetricMatrix& matrix);
+    void finish(const SymmetricMatrix& matrix);
     template <class Weight>
     bool group(const LevelMatrix<Weight>& matrix, Level& level);
     template <class Weight>
