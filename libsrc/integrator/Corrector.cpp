@@ -96,10 +96,10 @@ void correct(const Medium& medium, const Scheme<Dim>& scheme, StepFields<Dim>& f
         const Vec<Dim> gradient = sumOf(sum.gradient);
         const Real s_i = medium.damping(i);
         const Vec<Dim> w_i = fields.v[i];
-        const Mat<Dim>& L = fields.corrections.Lwater[i];
+        const Mat<Dim> L = fields.corrections.Lwater(i);
         Vec<Dim> flux = medium.beta(i) * (L * gradient);
         if constexpr (Medium::hasSoil) flux = wholeAlong(medium, i, L * sum.conducted.total(), L * sumOf(sum.flux));
-        const Vec<Dim> unseen = g - fields.corrections.seen[i] * g;
+        const Vec<Dim> unseen = g - fields.corrections.seen(i) * g;
         const Vec<Dim> v = s_i * w_i - flux + medium.beta(i) * unseen;
         water.forceGradient[i] = L * gradient - unseen;
         water.uOld[i] = water.u[i];

@@ -53,7 +53,7 @@ void smoothPart(const StepFields<Dim>& fields, Index i, const Records<Carried<Di
         }
         sum.add(change, x_ij);
     });
-    const Mat<Dim> gradient = sum.total() * fields.corrections.Lwater[i];
+    const Mat<Dim> gradient = sum.total() * fields.corrections.Lwater(i);
     for (int r = 0, s = 0; r < Dim; ++r) {
         own[C::stretch + r] = gradient[r][r];
         for (int c = 0; c < r; ++c) own[C::shear + s++] = gradient[r][c] + gradient[c][r];

@@ -126,7 +126,7 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
         const Real h = fields.points.h[i];
         ShiftSum<Dim> sum{neighbours[i], wLattice / (Dim == 2 ? sqr(h) : cube(h))};
         fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) { sum.add(pairs, neighbours.gather(pairs.j)); });
-        const Mat<Dim>& L = fields.corrections.Lwater[i];   // symmetric
+        const Mat<Dim> L = fields.corrections.Lwater(i);   // symmetric
         const Mat<Dim> gradU = sum.gradU.total() * L;
         if (fields.role[i] == SurfaceRole::inner) divergence[i] = sqr(dt * trace(gradU));
         const bool inSoil = !fields.soil.share.empty() && fields.soil.share[i] > kSoilShare;

@@ -70,34 +70,52 @@ Mat<Dim> blendedInverse(const Mat<Dim>& A)
     return weight * inverse(A) + (1 - weight) * Mat<Dim>::identity();
 }
 
+/// Returns whether the particle is a special one.
+template <int Dim>
+bool Corrections<Dim>::computeRow(const Points<Dim>& points, const PairList<Dim>& pairs, Index i, Special& special)
+{
+    Moments<Dim> moments;
+    const auto add = [&](const auto& batch) {
+        BatchValues volume;
+        volume.gather(batch, [&](Index j) { return points.volume[j]; });
+        moments.add(batch, volume);
+    };
+    pairs.forWaterBatches(i, add);
+    Mat<Dim> A = moments.matrix();
+    Mat<Dim> inverseA = blendedInverse(A);
+    special.Lwater = inverseA;
+    lambdaWater[i] = trace(A);
+    const bool walls = pairs.wallNeighbours(i) > 0;
+    if (walls) {
+        pairs.forWallBatches(i, add);
+        A = moments.matrix();
+        inverseA = blendedInverse(A);
+    }
+    const bool full = exceeds(A, kBlendTo);
+    L[i] = inverseA;
+    special.seen = full ? Mat<Dim>::identity() : inverseA * A;
+    lambda[i] = trace(A);
+    filling[i] = points.volume[i] * pairs.selfW(i) + sumOf(moments.fill);
+    lopsided[i] = moments.lopsided();
+    return walls || !full;
+}
+
 template <int Dim>
 void Corrections<Dim>::compute(const Points<Dim>& points, const PairList<Dim>& pairs)
 {
     const Index n = points.water;
     lambda.resize(points.fluid), lambdaWater.resize(points.fluid);
-    filling.resize(n), L.resize(n), Lwater.resize(n), seen.resize(n), lopsided.resize(n);
+    filling.resize(n), L.resize(n), lopsided.resize(n), place_.resize(n);
     parallelForDynamic(n, [&](Index i) {
-        Moments<Dim> moments;
-        const auto add = [&](const auto& batch) {
-            BatchValues volume;
-            volume.gather(batch, [&](Index j) { return points.volume[j]; });
-            moments.add(batch, volume);
-        };
-        pairs.forWaterBatches(i, add);
-        Mat<Dim> A = moments.matrix();
-        Mat<Dim> inverseA = blendedInverse(A);
-        Lwater[i] = inverseA;
-        lambdaWater[i] = trace(A);
-        if (pairs.wallNeighbours(i) > 0) {
-            pairs.forWallBatches(i, add);
-            A = moments.matrix();
-            inverseA = blendedInverse(A);
-        }
-        L[i] = inverseA;
-        seen[i] = exceeds(A, kBlendTo) ? Mat<Dim>::identity() : inverseA * A;
-        lambda[i] = trace(A);
-        filling[i] = points.volume[i] * pairs.selfW(i) + sumOf(moments.fill);
-        lopsided[i] = moments.lopsided();
+        Special special;   // the few are computed again when their number is known
+        place_[i] = pairs.wallNeighbours(i) > 0 || computeRow(points, pairs, i, special) ? 0 : -1;
+    });
+    Index count = 0;
+    for (Index& place : place_)
+        if (place >= 0) place = count++;
+    special_.resize(count);
+    parallelForDynamic(n, [&](Index i) {
+        if (place_[i] >= 0) computeRow(points, pairs, i, special_[place_[i]]);
     });
     points.refresh(lambda), points.refresh(lambdaWater);
 }

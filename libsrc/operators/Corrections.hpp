@@ -19,14 +19,29 @@ struct Corrections {
     std::vector<Real> filling;
     /// Corrections L of grad f = sum_j V_j (f_j - f_i) L gradW_ij, exact for linear f: with water and
     /// walls (for the divergence), with water only (for the pressure gradient).      [Bonet & Lok 1999]
-    std::vector<SymMat<Dim>> L, Lwater;
+    std::vector<SymMat<Dim>> L;
+    SymMat<Dim> Lwater(Index i) const { return place_[i] < 0 ? L[i] : special_[place_[i]].Lwater; }
     /// L A with the A that L inverts: the identity where L is the full inverse; what is missing from
     /// it is the share of a linear field that the blended gradient does not see.
-    std::vector<SymMat<Dim>> seen;
+    SymMat<Dim> seen(Index i) const
+    {
+        return place_[i] < 0 ? SymMat<Dim>(Mat<Dim>::identity()) : special_[place_[i]].seen;
+    }
     /// sum_j V_j F_ij x_ij over water and walls [1/m]: zero where the support is complete.
     std::vector<Vec<Dim>> lopsided;
 
     void compute(const Points<Dim>& points, const PairList<Dim>& pairs);
+
+private:
+    /// Of particles with walls in their support or with too few neighbours for a full inverse: of all others Lwater
+    /// is L and all is seen, and most are others.
+    struct Special {
+        SymMat<Dim> Lwater, seen;
+    };
+    bool computeRow(const Points<Dim>& points, const PairList<Dim>& pairs, Index i, Special& special);
+
+    std::vector<Index> place_;        ///< of every particle in special_, -1: none
+    std::vector<Special> special_;
 };
 
 /// The inverse of A, blended into the identity where its smallest eigenvalue is below 0.25 and equal

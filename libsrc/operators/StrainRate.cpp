@@ -13,7 +13,7 @@ void strainRate(const Points<Dim>& points, const PairList<Dim>& pairs, const Cor
 {
     rate.resize(points.water);
     parallelForDynamic(points.water, [&](Index i) {
-        const Mat<Dim> gradU = pairGradient(points, pairs, u, i) * corrections.Lwater[i];
+        const Mat<Dim> gradU = pairGradient(points, pairs, u, i) * corrections.Lwater(i);
         const Mat<Dim> S = Real(0.5) * (gradU + transpose(gradU));
         Real SS = 0;
         for (int d = 0; d < Dim; ++d) SS += dot(S[d], S[d]);

@@ -85,7 +85,7 @@ TEST(Gradient, OverWaterAloneIsExactToo)
         if (smallestEigenvalue(cloud.moment(i, true)) < 0.25) continue;
         Vec<2> gradient;
         cloud.pairs.forWater(i, [&](const auto& pair) {
-            gradient += (points.volume[pair.j] * dot(a, -pair.x_ij)) * (cloud.corrections.Lwater[i] * pair.gradW());
+            gradient += (points.volume[pair.j] * dot(a, -pair.x_ij)) * (cloud.corrections.Lwater(i) * pair.gradW());
         });
         for (int d = 0; d < 2; ++d) ASSERT_NEAR(gradient[d], a[d], 1e-12);
         ++exactOnes;
@@ -100,7 +100,7 @@ TEST(Corrections, WhatIsSeenOfALinearFieldIsAllOfItWhereTheInverseIsFull)
         const Mat<3> A = cloud.moment(i, false), product = cloud.corrections.L[i] * A;
         for (int r = 0; r < 3; ++r)
             for (int k = 0; k < 3; ++k) {
-                ASSERT_NEAR(cloud.corrections.seen[i][r][k], product[r][k], 1e-12);
+                ASSERT_NEAR(cloud.corrections.seen(i)[r][k], product[r][k], 1e-12);
                 if (smallestEigenvalue(A) > 0.25) {
                     ASSERT_NEAR(product[r][k], r == k, 1e-12);
                 }
