@@ -67,8 +67,9 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
     std::vector<Index>& columns = leads ? coarse.column : part.columns;
     std::vector<Real>& values = leads ? coarse.offDiagonal : part.values;
     columns.clear(), values.clear();
-    const std::size_t room = (part.last - part.first) * (fine.column.size() / fine.size() + 1);
-    columns.reserve(room), values.reserve(room);   // coarse rows are the shorter ones
+    const std::size_t rows = leads ? groups.size() : part.last - part.first;
+    const std::size_t room = rows * (fine.column.size() / fine.size() + 1);   // coarse rows are the shorter ones
+    columns.reserve(room), values.reserve(room);
     Index base = 0;  // slots count on from row to row, so that none need be reset
     for (Index g = part.first; g < part.last; ++g) {
         const Index entries = sumRow(fine, groups, g, base, part);
@@ -105,6 +106,7 @@ void CoarseMatrixBuilder::join(CoarseMatrix& coarse)
                   coarse.column.begin() + begin);
         std::copy(parts_[p].values.begin(), parts_[p].values.end(),
                   coarse.offDiagonal.begin() + begin);
+        parts_[p] = {};
     }
 }
 
