@@ -74,7 +74,8 @@ CellKey coarserKey(CellKey key)
 /// the others are spread.
 std::size_t Aggregation::bucketOf(CellKey key) const
 {
-    return ((key & kMask) + (key >> kBits) * 0x9E3779B97F4A7C15ULL / 64 * 64) & (head_.size() - 1);
+    const CellKey spread = (key >> kBits) * 0x9E3779B97F4A7C15ULL >> 32;  // the high bits have all of it
+    return ((key & kMask) + spread * 64) & (head_.size() - 1);
 }
 
 /// Lists the rows that are in by bucket.
