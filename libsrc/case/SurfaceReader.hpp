@@ -11,11 +11,11 @@ namespace isph {
 
 struct TriangleSurface {
     std::vector<Point> corners;
-    std::vector<TriangleTree::Triangle> triangles;   ///< all with their corners in the same sense
+    std::vector<TriangleTree::Triangle> triangles;  ///< all with their corners in the same sense
 };
 
-/// A family of its own, so that readers and filters of VTK are mapped by programs that meet a shape of type
-/// surface only: they take 8 MB.
+/// A family of its own, so that readers and filters of VTK, 7 MB, are mapped by programs that meet
+/// a shape of type surface only.
 class SurfaceReader {
 public:
     static constexpr const char* family = "surfaceReader";
@@ -26,8 +26,8 @@ public:
     static Schema keys() { return {}; }
 
     virtual ~SurfaceReader() = default;
-    /// Throws FatalError: no such file, unknown format, no triangles, or a surface that is not closed (names
-    /// the file and the number of open edges).
+    /// Throws FatalError: no such file, unknown format, no triangles, or a surface that is not
+    /// closed (names the file and the number of open edges).
     virtual TriangleSurface read(const std::filesystem::path& file) const = 0;
 };
 

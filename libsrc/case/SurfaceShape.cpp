@@ -25,7 +25,8 @@ TriangleTree treeOf(TriangleSurface surface)
 
 }  // namespace
 
-SurfaceShape::SurfaceShape(const std::filesystem::path& file) : tree_(treeOf(SurfaceReader::select()->read(file)))
+SurfaceShape::SurfaceShape(const std::filesystem::path& file)
+    : tree_(treeOf(SurfaceReader::select()->read(file)))
 {
 }
 

@@ -55,7 +55,7 @@ public:
     virtual void forget() {}
     /// Gives everything back that takes memory, until the next solve.
     virtual void release() {}
-    /// The same between the solves of steps: only what the next one fills anew and the step needs room for.
+    /// The same between the solves of steps: only what the next one fills anew.
     virtual void rest() {}
 };
 

@@ -74,7 +74,8 @@ CellKey coarserKey(CellKey key)
 /// the others are spread.
 std::size_t Aggregation::bucketOf(CellKey key) const
 {
-    const CellKey spread = (key >> kBits) * 0x9E3779B97F4A7C15ULL >> 32;  // the high bits have all of it
+    // The high bits of the product have something of all bits of the key.
+    const CellKey spread = (key >> kBits) * 0x9E3779B97F4A7C15ULL >> 32;
     return ((key & kMask) + spread * 64) & (head_.size() - 1);
 }
 

@@ -68,7 +68,8 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
     std::vector<Real>& values = leads ? coarse.offDiagonal : part.values;
     columns.clear(), values.clear();
     const std::size_t rows = leads ? groups.size() : part.last - part.first;
-    const std::size_t room = rows * (fine.column.size() / fine.size() + 1);   // coarse rows are the shorter ones
+    // Coarse rows are the shorter ones.
+    const std::size_t room = rows * (fine.column.size() / fine.size() + 1);
     columns.reserve(room), values.reserve(room);
     Index base = 0;  // slots count on from row to row, so that none need be reset
     for (Index g = part.first; g < part.last; ++g) {

@@ -16,9 +16,9 @@ namespace isph {
 /// which makes up for what piecewise constant corrections lack; the coarsest by a Cholesky factor.
 /// The inner steps make B depend on r a little: it needs flexible conjugate gradients outside.
 ///
-/// Level 0 is A itself, with off-diagonals in single precision; coarse levels are double. Groups of rows come from the places of the
-/// rows (Aggregation::byCells), from the coefficients alone where places are not known. No state is
-/// kept from matrix to matrix.
+/// Level 0 is A itself, with off-diagonals in single precision; coarse levels are double. Groups of
+/// rows come from the places of the rows (Aggregation::byCells), from the coefficients alone where
+/// places are not known. No state is kept from matrix to matrix.
 class Multigrid : public Preconditioner {
 public:
     /// False where a diagonal is not positive, or the coarsest matrix has no Cholesky factor.

@@ -8,9 +8,9 @@
 namespace isph::test {
 
 struct SolveTimes {
-    double setup = 0, solve = 0;   ///< [s]
+    double setup = 0, solve = 0;  ///< [s]
     int iterations = 0;
-    Real residual = 0;             ///< the true one over |b|
+    Real residual = 0;  ///< the true one over |b|
     double total() const { return setup + solve; }
 };
 
@@ -46,8 +46,11 @@ inline Real bNorm(const Equation& equation)
 
 inline void print(const std::string& word, std::size_t rows, int workers, const SolveTimes& times)
 {
-    fmt::print("{}  {} rows  {} cores  setup {:.4f} s  solve {:.4f} s  sum {:.4f} s  {} iterations  residual {:.2g}\n",
-               word, rows, workers, times.setup, times.solve, times.total(), times.iterations, times.residual);
+    fmt::print(
+        "{}  {} rows  {} cores  setup {:.4f} s  solve {:.4f} s  sum {:.4f} s  {} iterations  "
+        "residual {:.2g}\n",
+        word, rows, workers, times.setup, times.solve, times.total(), times.iterations,
+        times.residual);
 }
 
 }  // namespace isph::test
