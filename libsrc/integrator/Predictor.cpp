@@ -14,6 +14,10 @@ constexpr Real kInnerStrength = 8;  // c_r of inner pairs, whose rough part is s
 /// Lower bound of (lambda_i + lambda_j)/(2 Dim): sprays have little of a support.  [theory (2.8)]
 constexpr Real kLeastSupport = 0.7;
 
+/// Share of the rough part of v_ij that makes the Laplacian exact to the fourth order of a full support, for any
+/// kernel, and its bound in shares of v_ij: noise must not stiffen the explicit friction.   [theory (2.13)]
+constexpr Real kSharpening = 1.0 / 3, kMostSharpening = 0.1;
+
 template <int Dim>
 Real supportFactor(Real lambda_i, Real lambda_j)
 {
@@ -27,21 +31,20 @@ struct Carried {
         x = 0,                 ///< Dim values
         v = Dim,               ///< extrapolated to the new time, Dim values
         volume = 2 * Dim, part, lambda, viscosity,
-        stretch,               ///< grad v of inner particles, zero of others: its diagonal,
-        shear = stretch + Dim, ///< sums of opposite entries below and above it
-        used = shear + Dim * (Dim - 1) / 2, size = (used + kLanes - 1) / kLanes * kLanes
+        gradient,              ///< grad v of inner particles, zero of others, row by row
+        used = gradient + Dim * Dim, size = (used + kLanes - 1) / kLanes * kLanes
     };
     /// part: 1 near the surface, 2 inner; negative in soil. No dissipation acts across its face.
     static constexpr Real kClear = 1, kInner = 2;
 };
 
-/// grad v; where it is zero the dissipation takes the whole velocity difference.           [theory (7.3)]
+/// grad v; where it is zero a velocity difference has no smooth part.                      [theory (7.3)]
 template <int Dim>
-void smoothPart(const StepFields<Dim>& fields, Index i, const Records<Carried<Dim>::size>& carried)
+void velocityGradient(const StepFields<Dim>& fields, Index i, const Records<Carried<Dim>::size>& carried)
 {
     using C = Carried<Dim>;
     Real* own = carried[i];
-    std::fill(own + C::stretch, own + C::size, 0);
+    std::fill(own + C::gradient, own + C::size, 0);
     if (std::abs(own[C::part]) != C::kInner) return;
     OuterSum<Dim> sum;
     fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
@@ -54,10 +57,17 @@ void smoothPart(const StepFields<Dim>& fields, Index i, const Records<Carried<Di
         sum.add(change, x_ij);
     });
     const Mat<Dim> gradient = sum.total() * fields.corrections.Lwater(i);
-    for (int r = 0, s = 0; r < Dim; ++r) {
-        own[C::stretch + r] = gradient[r][r];
-        for (int c = 0; c < r; ++c) own[C::shear + s++] = gradient[r][c] + gradient[c][r];
-    }
+    for (int r = 0; r < Dim; ++r)
+        for (int c = 0; c < Dim; ++c) own[C::gradient + r * Dim + c] = gradient[r][c];
+}
+
+template <int Dim>
+Mat<Dim> gradientOf(const Real* own)
+{
+    Mat<Dim> gradient;
+    for (int r = 0; r < Dim; ++r)
+        for (int c = 0; c < Dim; ++c) gradient[r][c] = own[Carried<Dim>::gradient + r * Dim + c];
+    return gradient;
 }
 
 /// Numbers of eight partners, and those of the particle itself.
@@ -72,19 +82,24 @@ struct Partners {
     Lanes difference(int place) const { return own[place] - of[place]; }
 };
 
-/// (v_ij.e) r without its smooth part between inner particles: never more than it and never of the other sign.
-template <int Dim>
-Lanes roughPart(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, const Lanes& approach)
+inline Lanes sizeOf(const Lanes& a)
 {
-    using C = Carried<Dim>;
-    Lanes smooth{};
-    for (int r = 0, s = 0; r < Dim; ++r) {
-        smooth += Real(0.5) * partners.sum(C::stretch + r) * x[r] * x[r];
-        for (int c = 0; c < r; ++c) smooth += Real(0.5) * partners.sum(C::shear + s++) * x[r] * x[c];
-    }
-    const Lanes rough = approach - smooth;
-    const Lanes less = rough * rough < approach * approach ? rough : approach;
-    return rough * approach > 0 ? less : Lanes{};
+    return a < 0 ? -a : a;
+}
+
+/// What is left of a without its smooth part: never more than it and never of the other sign.
+inline Lanes roughPart(const Lanes& a, const Lanes& smooth)
+{
+    const Lanes rough = a - smooth;
+    const Lanes less = rough * rough < a * a ? rough : a;
+    return rough * a > 0 ? less : Lanes{};
+}
+
+/// a with a third of its rough part more, bounded.                                         [theory (2.13)]
+inline Lanes sharpened(const Lanes& a, const Lanes& smooth)
+{
+    const Lanes more = kSharpening * (a - smooth), most = kMostSharpening * sizeOf(a);
+    return a + (more < -most ? -most : (more > most ? most : more));
 }
 
 /// Friction and dissipation of a row, those of every lane apart.
@@ -93,46 +108,66 @@ struct RateSum {
     using C = Carried<Dim>;
     Real dissipation, most, shortest2;   ///< c_r; largest share of a velocity difference; of |x_ij|^2
     std::array<Lanes, Dim> rate{};
+    std::array<Lanes, Dim> side{};       ///< sum V F x_ij over the share of a full support
 
     void add(const Partners<Dim>& partners, const Lanes& slope)
     {
-        std::array<Lanes, Dim> v_ij, x;
-        Lanes approach{}, r2{};
+        std::array<Lanes, Dim> v_ij, x, smooth;
+        Lanes approach{}, smoothApproach{}, r2{};
         for (int d = 0; d < Dim; ++d) {
             v_ij[d] = partners.difference(C::v + d);
             x[d] = partners.difference(C::x + d);
+        }
+        for (int d = 0; d < Dim; ++d) {
+            smooth[d] = smoothPart(partners, x, d);
             approach += v_ij[d] * x[d];
+            smoothApproach += smooth[d] * x[d];
             r2 += x[d] * x[d];
         }
         const Lanes VF = -2 * partners(C::volume) * slope;
-        const Lanes friction = VF * frictionOf(partners);
-        const Lanes pull = pullOf(partners, x, VF, approach) / (r2 > shortest2 ? r2 : allLanes(shortest2));
-        for (int d = 0; d < Dim; ++d) rate[d] -= friction * v_ij[d] + pull * x[d];
+        const Lanes weight = VF / supportOf(partners), nu = viscosityOf(partners);
+        const Lanes part = partners(C::part) * (partners.own[C::part] < 0 ? Real(-1) : Real(1));
+        const bool inner = std::abs(partners.own[C::part]) == C::kInner;
+        const Lanes pull = pullOf(part, inner, VF, approach, smoothApproach, nu) / (r2 > shortest2 ? r2 : allLanes(shortest2));
+        const Lanes friction = weight * nu;
+        for (int d = 0; d < Dim; ++d) {
+            const Lanes v = inner ? (part == C::kInner ? sharpened(v_ij[d], smooth[d]) : v_ij[d]) : v_ij[d];
+            rate[d] -= friction * v + pull * x[d];
+            side[d] += weight * x[d];
+        }
     }
 
 private:
-    /// Harmonic mean of the viscosities over the share of a full support.
-    static Lanes frictionOf(const Partners<Dim>& partners)
+    /// Component d of (grad v_i + grad v_j) x_ij/2
+    static Lanes smoothPart(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, int d)
     {
-        const Lanes both = partners.sum(C::viscosity), support = partners.sum(C::lambda) * (Real(0.5) / Dim);
-        const Lanes product = 2 * partners.own[C::viscosity] * partners(C::viscosity);
-        const Lanes weight = both * (support > kLeastSupport ? support : allLanes(kLeastSupport));
-        return both > 0 ? product / weight : Lanes{};
+        Lanes smooth{};
+        for (int c = 0; c < Dim; ++c) smooth += Real(0.5) * partners.sum(C::gradient + d * Dim + c) * x[c];
+        return smooth;
     }
-    /// 2 V F c_r |a| a, a the approach or its rough part.
-    Lanes pullOf(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, const Lanes& VF,
-                 const Lanes& approach) const
+    static Lanes supportOf(const Partners<Dim>& partners)
+    {
+        const Lanes support = partners.sum(C::lambda) * (Real(0.5) / Dim);
+        return support > kLeastSupport ? support : allLanes(kLeastSupport);
+    }
+    /// Harmonic mean of the viscosities.
+    static Lanes viscosityOf(const Partners<Dim>& partners)
+    {
+        const Lanes both = partners.sum(C::viscosity), product = 2 * partners.own[C::viscosity] * partners(C::viscosity);
+        return both > 0 ? product / both : Lanes{};
+    }
+    /// 2 V F (c_r |a| - nu) a, a the approach or its rough part: what friction does not do itself.
+    Lanes pullOf(const Lanes& part, bool inner, const Lanes& VF, const Lanes& approach, const Lanes& smooth,
+                 const Lanes& nu) const
     {
         if (dissipation == 0) return Lanes{};
-        const Real own = std::abs(partners.own[C::part]);
-        const Lanes part = partners(C::part) * (partners.own[C::part] < 0 ? Real(-1) : Real(1));
         Lanes a = approach, strength = allLanes(dissipation);
-        if (own == C::kInner) {
-            a = part == C::kInner ? roughPart<Dim>(partners, x, approach) : approach;
+        if (inner) {
+            a = part == C::kInner ? roughPart(approach, smooth) : approach;
             strength = part == C::kInner ? strength * kInnerStrength : strength;
         }
-        const Lanes speed = a < 0 ? -a : a;
-        const Lanes pull = 2 * VF * strength * speed;
+        const Lanes lacking = strength * sizeOf(a) - nu;
+        const Lanes pull = 2 * VF * (lacking > 0 ? lacking : Lanes{});
         return part < C::kClear ? Lanes{} : (pull < most ? pull : allLanes(most)) * a;
     }
 };
@@ -174,13 +209,13 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
             std::copy(owner + from, owner + to, carried[points.water + k] + from);
         });
     };
-    copyToImages(0, C::stretch);
+    copyToImages(0, C::gradient);
     parallelFor(points.fluid, [&](Index i) {
         for (int d = 0; d < Dim; ++d) carried[i][C::x + d] = points.x[i][d];
     });
-    if (scheme.dissipation > 0) {
-        parallelForDynamic(points.water, [&](Index i) { smoothPart(fields, i, carried); });
-        copyToImages(C::stretch, C::size);
+    if (scheme.dissipation > 0 || scheme.viscosity > 0) {
+        parallelForDynamic(points.water, [&](Index i) { velocityGradient(fields, i, carried); });
+        copyToImages(C::gradient, C::size);
     }
     const Real most = 1 / (neighboursOfLattice(scheme) * weights.dtPrime());
     fields.v.resize(points.fluid);
@@ -189,16 +224,19 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
             sum.add({carried[i], carried.gather(pairs.j)}, pairs.slope);
         });
-        Vec<Dim> rate = sumOf(sum.rate), v_i;
+        Vec<Dim> rate = sumOf(sum.rate), side = sumOf(sum.side), v_i;
         for (int d = 0; d < Dim; ++d) v_i[d] = carried[i][C::v + d];
         const Real nu_i = carried[i][C::viscosity];
         if (!walls.noSlip.empty())
             fields.pairs.forWalls(i, [&](const auto& pair) {
                 const Index k = pair.j - points.fluid;
-                if (walls.noSlip[k])
-                    rate -= points.volume[pair.j] * pair.F() * nu_i * supportFactor<Dim>(lambda[i], lambda[i])
-                          * walls.slip(k, pair.x_ij, v_i, medium.porosity(i), scheme.spacing);
+                if (!walls.noSlip[k]) return;
+                const Real weight = points.volume[pair.j] * pair.F() * supportFactor<Dim>(lambda[i], lambda[i]);
+                rate -= weight * nu_i * walls.slip(k, pair.x_ij, v_i, medium.porosity(i), scheme.spacing);
+                side += weight * pair.x_ij;
             });
+        // Where slip walls cut the support the Laplacian stays as it is.
+        if (fields.pairs.wallNeighbours(i) == 0 || !walls.noSlip.empty()) rate += nu_i * (gradientOf<Dim>(carried[i]) * side);
         fields.v[i] = medium.porosity(i) * (weights.now() * water.u[i] + weights.before() * water.uOld[i])
                     + medium.mobility(i) * weights.dtPrime() * rate;
     });

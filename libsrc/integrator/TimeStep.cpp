@@ -16,7 +16,7 @@ constexpr Real kForceLimit = 0.25, kViscousLimit = 0.125;   // [Morris et al. 19
 constexpr Real kCollapse = 1e-5;                            // of the calm step: no flow is that fast
 constexpr Real kGrowth = 1.2;                               // BDF2 is zero-stable below 2.4
 constexpr Real kFarthest = 1;        // spacings that water may move in a step whose size is given
-constexpr Real kDiffusion = 0.16;    // h0^2/nu: BDF2 with extrapolated friction, 4/(3 nu max eigenvalue)
+constexpr Real kDiffusion = 0.14;    // h0^2/nu: BDF2 with extrapolated friction, 4/(3 nu max eigenvalue)
 
 template <int Dim>
 Real largestViscosity(const Scheme<Dim>& scheme, Span<const Real> eddyViscosity)
