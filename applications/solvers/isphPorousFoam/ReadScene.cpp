@@ -37,7 +37,21 @@ PeriodicBox<Dim> readBox(const CaseFiles& files)
     return box;
 }
 
-/// Extent along g and largest speed of the water at hand, and the properties of the dictionaries.
+/// Distance between the first and the last particle in a direction.
+template <int Dim>
+Real extentAlong(const Water<Dim>& water, const Vec<Dim>& direction)
+{
+    Real low = 0, high = 0;
+    for (std::size_t i = 0; i < water.size(); ++i) {
+        const Real z = dot(water.x[i], direction);
+        if (i == 0 || z < low) low = z;
+        if (i == 0 || z > high) high = z;
+    }
+    return high - low;
+}
+
+/// Extent along g (without gravity the largest) and largest speed of the water at hand, and the properties of
+/// the dictionaries.
 template <int Dim>
 WaterProperties waterProperties(const CaseFiles& files, const Water<Dim>& water)
 {
@@ -48,14 +62,15 @@ WaterProperties waterProperties(const CaseFiles& files, const Water<Dim>& water)
     properties.viscosity = transportKeys().get<Real>(files.transport, "nu");
     properties.force = readForce(files.gravity, Dim);
     const Vec<Dim> down = unit(fromVector3<Dim>(properties.force));
-    Real low = 0, high = 0;
-    for (std::size_t i = 0; i < water.size(); ++i) {
-        const Real z = -dot(water.x[i], down);
-        if (i == 0 || z < low) low = z;
-        if (i == 0 || z > high) high = z;
-        properties.speed = std::max(properties.speed, norm(water.u[i]));
-    }
-    properties.depth = high - low + properties.spacing;
+    Real extent = extentAlong(water, down);
+    if (norm(down) == 0)
+        for (int d = 0; d < Dim; ++d) {
+            Vec<Dim> axis;
+            axis[d] = 1;
+            extent = std::max(extent, extentAlong(water, axis));
+        }
+    for (const Vec<Dim>& u : water.u) properties.speed = std::max(properties.speed, norm(u));
+    properties.depth = extent + properties.spacing;
     return properties;
 }
 
