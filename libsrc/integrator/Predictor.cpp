@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace isph {
 
@@ -17,6 +18,9 @@ constexpr Real kLeastSupport = 0.7;
 /// Share of the rough part of v_ij that makes the Laplacian exact to the fourth order of a full support, for any
 /// kernel, and its bound in shares of v_ij: noise must not stiffen the explicit friction.   [theory (2.13)]
 constexpr Real kSharpening = 1.0 / 3, kMostSharpening = 0.1;
+
+/// Share of h0^2 that friction spreads over in a step from which on the packing's anisotropy counts. [theory (2.14)]
+constexpr Real kViscous = 5e-4;
 
 template <int Dim>
 Real supportFactor(Real lambda_i, Real lambda_j)
@@ -102,13 +106,53 @@ inline Lanes sharpened(const Lanes& a, const Lanes& smooth)
     return a + (more < -most ? -most : (more > most ? most : more));
 }
 
-/// Friction and dissipation of a row, those of every lane apart.
+/// Second derivatives and second moments of a row of an inner particle, those of every lane apart: what the
+/// anisotropy of the packing adds to friction.                                            [theory (2.14)]
 template <int Dim>
+struct AnisotropySum {
+    using C = Carried<Dim>;
+    std::array<std::array<Lanes, Dim>, Dim> spread{};                  ///< sum V F x_ij x_ij, over the share of a full support
+    std::array<std::array<std::array<Lanes, Dim>, Dim>, Dim> bend{};   ///< sum V (grad v_j - grad v_i) gradW_ij
+
+    void add(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, const Lanes& slope, const Lanes& weight,
+             const Lanes& part)
+    {
+        const Lanes VSlope = part == C::kInner ? partners(C::volume) * slope : Lanes{};
+        for (int a = 0; a < Dim; ++a)
+            for (int c = 0; c < Dim; ++c) {
+                spread[a][c] += weight * x[a] * x[c];
+                for (int d = 0; d < Dim; ++d)
+                    bend[d][a][c] -= VSlope * partners.difference(C::gradient + d * Dim + a) * x[c];
+            }
+    }
+    /// sum_ac (M_ac - delta_ac) d2v/dx_a dx_c
+    Vec<Dim> excess(const auto& L) const
+    {
+        Vec<Dim> sum;
+        for (int d = 0; d < Dim; ++d) {
+            Mat<Dim> second;
+            for (int a = 0; a < Dim; ++a) second[a] = sumOf(bend[d][a]);
+            second = second * L;
+            for (int a = 0; a < Dim; ++a)
+                for (int c = 0; c < Dim; ++c) sum[d] += (Real(0.5) * sumOf(spread[a][c]) - (a == c)) * second[a][c];
+        }
+        return sum;
+    }
+};
+template <int Dim>
+struct NoAnisotropySum {
+    void add(const auto&...) {}
+    Vec<Dim> excess(const auto&) const { return {}; }
+};
+
+/// Friction and dissipation of a row, those of every lane apart. Viscous: friction matters.
+template <int Dim, bool Viscous>
 struct RateSum {
     using C = Carried<Dim>;
     Real dissipation, most, shortest2;   ///< c_r; largest share of a velocity difference; of |x_ij|^2
     std::array<Lanes, Dim> rate{};
     std::array<Lanes, Dim> side{};       ///< sum V F x_ij over the share of a full support
+    std::conditional_t<Viscous, AnisotropySum<Dim>, NoAnisotropySum<Dim>> anisotropy{};
 
     void add(const Partners<Dim>& partners, const Lanes& slope)
     {
@@ -135,6 +179,7 @@ struct RateSum {
             rate[d] -= friction * v + pull * x[d];
             side[d] += weight * x[d];
         }
+        if (inner) anisotropy.add(partners, x, slope, weight, part);
     }
 
 private:
@@ -180,6 +225,33 @@ Real neighboursOfLattice(const Scheme<Dim>& scheme)
     const Real q = 2 * scheme.h0 / scheme.spacing, pi = 3.141592653589793;
     return Dim == 2 ? pi * sqr(q) : 4 * pi / 3 * cube(q);
 }
+/// Accelerations of a particle by friction and dissipation.
+template <bool Viscous, int Dim, class Medium>
+Vec<Dim> rateOf(Index i, const Medium& medium, const WallCloud<Dim>& walls, const Scheme<Dim>& scheme, Real most,
+                const StepFields<Dim>& fields, const Records<Carried<Dim>::size>& carried)
+{
+    using C = Carried<Dim>;
+    const auto& pairs = fields.pairs;
+    const Real* own = carried[i];
+    RateSum<Dim, Viscous> sum{scheme.dissipation, most, 1e-12 * sqr(scheme.spacing)};
+    pairs.forWaterLanes(i, [&](const PairLanes& eight) { sum.add({own, carried.gather(eight.j)}, eight.slope); });
+    Vec<Dim> rate = sumOf(sum.rate), side = sumOf(sum.side), v_i;
+    for (int d = 0; d < Dim; ++d) v_i[d] = own[C::v + d];
+    const Real nu_i = own[C::viscosity];
+    if (!walls.noSlip.empty())
+        pairs.forWalls(i, [&](const auto& pair) {
+            const Index k = pair.j - fields.points.fluid;
+            if (!walls.noSlip[k]) return;
+            const Real weight = fields.points.volume[pair.j] * pair.F() * supportFactor<Dim>(own[C::lambda], own[C::lambda]);
+            rate -= weight * nu_i * walls.slip(k, pair.x_ij, v_i, medium.porosity(i), scheme.spacing);
+            side += weight * pair.x_ij;
+        });
+    // Where slip walls cut the support the Laplacian stays as it is.
+    const bool clear = pairs.wallNeighbours(i) == 0;
+    if (clear || !walls.noSlip.empty()) rate += nu_i * (gradientOf<Dim>(own) * side);
+    if (clear) rate -= nu_i * sum.anisotropy.excess(fields.corrections.Lwater(i));
+    return rate;
+}
 }  // namespace
 
 template <int Dim, class Medium>
@@ -217,26 +289,12 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         parallelForDynamic(points.water, [&](Index i) { velocityGradient(fields, i, carried); });
         copyToImages(C::gradient, C::size);
     }
+    const bool viscous = scheme.viscosity * weights.dtPrime() > kViscous * sqr(scheme.h0);
     const Real most = 1 / (neighboursOfLattice(scheme) * weights.dtPrime());
     fields.v.resize(points.fluid);
     parallelForDynamic(points.water, [&](Index i) {
-        RateSum<Dim> sum{scheme.dissipation, most, 1e-12 * sqr(scheme.spacing)};
-        fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
-            sum.add({carried[i], carried.gather(pairs.j)}, pairs.slope);
-        });
-        Vec<Dim> rate = sumOf(sum.rate), side = sumOf(sum.side), v_i;
-        for (int d = 0; d < Dim; ++d) v_i[d] = carried[i][C::v + d];
-        const Real nu_i = carried[i][C::viscosity];
-        if (!walls.noSlip.empty())
-            fields.pairs.forWalls(i, [&](const auto& pair) {
-                const Index k = pair.j - points.fluid;
-                if (!walls.noSlip[k]) return;
-                const Real weight = points.volume[pair.j] * pair.F() * supportFactor<Dim>(lambda[i], lambda[i]);
-                rate -= weight * nu_i * walls.slip(k, pair.x_ij, v_i, medium.porosity(i), scheme.spacing);
-                side += weight * pair.x_ij;
-            });
-        // Where slip walls cut the support the Laplacian stays as it is.
-        if (fields.pairs.wallNeighbours(i) == 0 || !walls.noSlip.empty()) rate += nu_i * (gradientOf<Dim>(carried[i]) * side);
+        const Vec<Dim> rate = viscous ? rateOf<true>(i, medium, walls, scheme, most, fields, carried)
+                                      : rateOf<false>(i, medium, walls, scheme, most, fields, carried);
         fields.v[i] = medium.porosity(i) * (weights.now() * water.u[i] + weights.before() * water.uOld[i])
                     + medium.mobility(i) * weights.dtPrime() * rate;
     });

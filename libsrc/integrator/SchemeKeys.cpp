@@ -22,7 +22,7 @@ Schema stabilisationKeys()
 {
     return {Key::word("type", "relaxedDensity: alpha = dt/relaxationTime; constantAlpha: the paper's")
                 .oneOf({"relaxedDensity", "constantAlpha", "none"}).byDefault("relaxedDensity"),
-            Key::scalar("relaxationTime", "time in which density errors decay [s]; auto: 0.2 sqrt(H/g), without gravity 4 L/U")
+            Key::scalar("relaxationTime", "time in which density errors decay [s]; auto: 0.2 sqrt(H/g), without gravity 10 L/U")
                 .units(dims::time).above(0).oneOf({"auto"}).byDefault("auto"),
             Key::scalar("speedFactor", "upper bound of the decay rate in units of max|u|/d0")
                 .byDefault("0.1").atLeast(0),
@@ -110,7 +110,7 @@ Scheme<Dim> readScheme(const Dictionary& schemes, const WaterProperties& water)
     const Real g = norm(scheme.force);
     if (!automatic) scheme.relaxationTime = stabilisation.get<Real>("relaxationTime", dims::time);
     else if (g > 0) scheme.relaxationTime = 0.2 * std::sqrt(water.depth / g);
-    else if (water.speed > 0) scheme.relaxationTime = 4 * water.depth / water.speed;
+    else if (water.speed > 0) scheme.relaxationTime = 10 * water.depth / water.speed;
     scheme.speedFactor = stabilisationKeys().get<Real>(stabilisation, "speedFactor");
     scheme.alpha = stabilisationKeys().get<Real>(stabilisation, "alpha");
     scheme.shifting = shiftingKeys().get<Real>(shifting, "coefficient");

@@ -33,7 +33,7 @@ struct WaterProperties {
 };
 
 /// The scheme of a case. relaxationTime auto is 0.2 sqrt(H/|g|) with the water's depth H at the start,
-/// and 4 L/U without gravity (L the largest extent, U the largest speed at the start).  [theory (5.5)]
+/// and 10 L/U without gravity (L the largest extent, U the largest speed at the start).  [theory (5.5)]
 template <int Dim>
 Scheme<Dim> readScheme(const Dictionary& schemes, const WaterProperties& water);
 
