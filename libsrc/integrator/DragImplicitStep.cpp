@@ -13,7 +13,7 @@ namespace {
 constexpr Real kSoilPorosity = 0.9;      // below it water is pulled into voids of the soil   (5.6)
 constexpr Real kLeastSupport = 0.75;     // lambda/Dim for that
 constexpr Real kFullSupport = 0.95;      // lambda/Dim above which a thin spot is no surface
-constexpr int kRepeats = 3;              // pressure solves of a first step
+constexpr int kRepeats = 6;              // pressure solves of a first step under gravity
 }  // namespace
 
 template <int Dim>
@@ -80,7 +80,7 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     }
     densitySource(medium, report);
     // The surface rows use the force gradient of the step before; a first step has to find it.
-    const int repeats = weights.ratio == 0 ? kRepeats : 1;
+    const int repeats = weights.ratio == 0 && norm(scene_.scheme.force) > 0 ? kRepeats : 1;
     const std::vector<Vec<Dim>> before = scene_.water.u, beforeOld = repeats > 1 ? scene_.water.uOld : before;
     for (int k = 0; k < repeats; ++k) {
         if (k > 0) scene_.water.u = before, scene_.water.uOld = beforeOld;

@@ -107,12 +107,13 @@ Real contract(const Mat<Dim>& L, const Mat<Dim>& M)
     return sum;
 }
 
-/// s_i w_i - v_i, what the pressure took from the predictor, as far as the last step tells it: at a surface by its
-/// force gradient; in soil, where drag holds the momentum, by its velocity.                 [theory (5.4), (5.12)]
+/// s_i w_i - v_i, what the pressure took from the predictor, as far as the last step tells it: at a surface and in clear
+/// water by its force gradient; in soil, where drag holds the momentum, by its velocity.                 [theory (5.4), (5.12)]
 template <int Dim, class Medium>
 Vec<Dim> lastChange(Index i, SurfaceRole role, const Medium& medium, const PressureSource<Dim>& source)
 {
-    if (role == SurfaceRole::near) return medium.beta(i) * atMost(source.forceGradient[i], norm(source.force));
+    if (role == SurfaceRole::near || medium.porosity(i) == 1)
+        return medium.beta(i) * atMost(source.forceGradient[i], norm(source.force));
     if constexpr (Medium::hasSoil)
         if (medium.inSoil(i) && !source.u.empty())
             return medium.damping(i) * source.v[i] - medium.porosity(i) * source.u[i];

@@ -33,7 +33,8 @@ struct PressureSource {
 ///   sum_j V_j F_ij beta_ij [(p_j - p_i)/rho - g.(x_j - x_i)] - beta_i c_i.T_i = D_i - divergence_i
 /// over water partners; walls are left out, which makes them impermeable (natural Neumann condition).
 /// p is known at surface particles. T_i = sum_j V_j F_ij x_ji over water and walls is what the surface cuts
-/// off a support; the term makes the row exact for a linear pressure, at rest as in free fall.  (5.4)
+/// off a support, and the disorder of a packing; the term makes the row exact for a linear pressure, at rest
+/// as in free fall, near the surface and in clear water.                                        (5.4)
 /// The unknown is p/rho0.
 template <int Dim, class Medium>
 void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corrections<Dim>& corrections,
