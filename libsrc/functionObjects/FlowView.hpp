@@ -27,7 +27,7 @@ struct FlowView {
     std::vector<Vector3> position;
     std::vector<std::int64_t> id;  ///< of a particle, the same in all steps
     std::vector<Real> porosity;  ///< 1 in clear water
-    /// The same at any place, from the soil itself; empty without soil.
+    /// That at any place, from the soil itself and with sharp faces; empty without soil.
     std::function<Real(const Vector3&)> porosityAt;
     std::map<std::string, std::vector<Real>> scalars;  ///< "p" [Pa], "porosity", ...
     std::map<std::string, std::vector<Vector3>>

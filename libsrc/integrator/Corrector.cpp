@@ -67,13 +67,15 @@ private:
 /// The part of the flux along a face: the pairs through it conduct like the two media in series, but side by side
 /// with its own a particle feels the whole gradient.                                              [theory (3.11)]
 template <int Dim>
-Vec<Dim> wholeAlong(const WaterInSoil<Dim>& medium, Index i, const Mat<Dim>& conducted, const Vec<Dim>& flux)
+Vec<Dim> wholeAlong(const WaterInSoil<Dim>& medium, Index i, const Mat<Dim>& conducted, const Mat<Dim>& seen,
+                    const Vec<Dim>& flux)
 {
     if (!medium.atFace(i)) return flux;
     const Vec<Dim> n = medium.normal(i, i);
-    const Real along = (trace(conducted) - dot(n, conducted * n)) / (Dim - 1) / medium.beta(i);
+    const auto along = [&](const Mat<Dim>& M) { return trace(M) - dot(n, M * n); };
+    const Real share = along(conducted) / (medium.beta(i) * along(seen));
     const Vec<Dim> through = dot(flux, n) * n;
-    return through + (1 / std::max(kLeastConducted, along)) * (flux - through);
+    return through + (1 / std::max(kLeastConducted, share)) * (flux - through);
 }
 
 }  // namespace
@@ -98,10 +100,11 @@ void correct(const Medium& medium, const Scheme<Dim>& scheme, StepFields<Dim>& f
         const Vec<Dim> w_i = fields.v[i];
         const Mat<Dim> L = fields.corrections.Lwater(i);
         Vec<Dim> flux = medium.beta(i) * (L * gradient);
-        if constexpr (Medium::hasSoil) flux = wholeAlong(medium, i, L * sum.conducted.total(), L * sumOf(sum.flux));
+        if constexpr (Medium::hasSoil) flux = wholeAlong(medium, i, L * sum.conducted.total(), Mat<Dim>(fields.corrections.seen(i)),
+                                                         L * sumOf(sum.flux));
         const Vec<Dim> unseen = g - fields.corrections.seen(i) * g;
         const Vec<Dim> v = s_i * w_i - flux + medium.beta(i) * unseen;
-        water.forceGradient[i] = L * gradient - unseen;
+        water.forceGradient[i] = (1 / medium.beta(i)) * flux - unseen;
         water.uOld[i] = water.u[i];
         water.u[i] = v / medium.porosity(i);
     });

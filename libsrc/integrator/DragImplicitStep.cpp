@@ -81,13 +81,13 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     densitySource(medium, report);
     // The surface rows use the force gradient of the step before; a first step has to find it.
     const int repeats = weights.ratio == 0 && norm(scene_.scheme.force) > 0 ? kRepeats : 1;
-    const std::vector<Vec<Dim>> before = scene_.water.u, beforeOld = repeats > 1 ? scene_.water.uOld : before;
+    const Water<Dim> before = repeats > 1 ? scene_.water : Water<Dim>{};
     for (int k = 0; k < repeats; ++k) {
-        if (k > 0) scene_.water.u = before, scene_.water.uOld = beforeOld;
+        if (k > 0) scene_.water.u = before.u, scene_.water.uOld = before.uOld;
         surfacePressure<Dim>(flat_, scene_.scheme.spacing / scene_.scheme.h0, fields_.points, fields_.corrections,
                              fields_.role, scene_.water.forceGradient, scene_.scheme.force, surfacePressure_);
         const PressureSource<Dim> source{fields_.v, scene_.water.forceGradient, divergence_, scene_.scheme.force,
-                                         surfacePressure_, before};
+                                         surfacePressure_};
         pressure_.solve(scene_, medium, source, {}, timers_, fields_, report);
         const auto timer = timers_.scope("corrector");
         correct(medium, scene_.scheme, fields_, scene_.water);

@@ -38,7 +38,7 @@ struct Carried {
         gradient,              ///< grad v of inner particles, zero of others, row by row
         used = gradient + Dim * Dim, size = (used + kLanes - 1) / kLanes * kLanes
     };
-    /// part: 1 near the surface, 2 inner; negative in soil. No dissipation acts across its face.
+    /// part: 1 near the surface, 2 inner; negative in soil that holds its water. No dissipation acts across its face. (7.5)
     static constexpr Real kClear = 1, kInner = 2;
 };
 
@@ -270,7 +270,7 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         for (int d = 0; d < Dim; ++d)
             to[C::v + d] = eps * ((1 + weights.ratio) * water.u[i][d] - weights.ratio * water.uOld[i][d]);
         const bool inner = fields.role[i] == SurfaceRole::inner;
-        to[C::part] = (inner ? C::kInner : C::kClear) * (medium.inSoil(i) ? -1 : 1);
+        to[C::part] = (inner ? C::kInner : C::kClear) * (medium.isHeld(i, norm(water.u[i])) ? -1 : 1);
         to[C::volume] = points.volume[i];
         to[C::lambda] = lambda[i];
         to[C::viscosity] = (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / eps;

@@ -16,7 +16,7 @@ struct Water {
     std::vector<Vec<Dim>> u;              ///< pore velocity at the end of the last step [m/s]
     std::vector<Vec<Dim>> uOld;           ///< pore velocity one step before, for BDF2
     std::vector<Real> p;                  ///< pressure of the pressure equation [Pa], zero at the surface
-    std::vector<Vec<Dim>> forceGradient;  ///< (grad p)/rho - g of the last step [m/s2]   [theory (6.4)]
+    std::vector<Vec<Dim>> forceGradient;  ///< c, (grad p)/rho - g as the last step felt it [m/s2]   [theory (6.4)]
     std::vector<std::int64_t> id;
 
     std::size_t size() const { return x.size(); }

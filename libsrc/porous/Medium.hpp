@@ -17,6 +17,7 @@ struct ClearWater {
 
     Real porosity(Index) const { return 1; }
     bool inSoil(Index) const { return false; }
+    bool isHeld(Index, Real) const { return false; }
     Real mobility(Index) const { return 1; }
     Real damping(Index) const { return 1; }
     Real damping(Index, Index, const Vec<Dim>&) const { return 1; }
@@ -35,6 +36,12 @@ struct WaterInSoil {
 
     Real porosity(Index i) const { return state.porosity[i]; }
     bool inSoil(Index i) const { return state.zone[i] != kClearWater; }
+    /// Whether water in soil is another flow than that beside it: it has pores to squeeze through, or drag would stop it
+    /// at this pore velocity [m/s] within ten spacings.                                                    [theory (7.5)]
+    bool isHeld(Index i, Real speed) const
+    {
+        return inSoil(i) && (porosity(i) < Real(0.9) || mobility(i) * resistance[i] * spacing >= Real(0.1) * speed);
+    }
     Real mobility(Index i) const { return state.mobility[i]; }
     /// s_i = 1/(1 + k_i dt' r_i), the share of its momentum that drag leaves a particle.
     Real damping(Index i) const { return 1 / (1 + state.mobility[i] * dt * resistance[i]); }

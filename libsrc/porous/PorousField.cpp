@@ -174,27 +174,40 @@ SoilSums<Dim> PorousField<Dim>::at(const Vec<Dim>& x, Index except) const
 }
 
 template <int Dim>
-Real PorousField<Dim>::porosityOf(const SoilSums<Dim>& s)
+Index PorousField<Dim>::zoneOf(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare) const
 {
-    return std::max(kLeastPorosity, 1 - s.solid / s.open);
+    const auto most = std::max_element(zoneShare.begin(), zoneShare.end());
+    return *most > s.open - s.share ? static_cast<Index>(most - zoneShare.begin()) : kClearWater;
+}
+
+template <int Dim>
+Real PorousField<Dim>::sharpPorosityAt(const Vec<Dim>& x) const
+{
+    thread_local Near near;
+    thread_local std::vector<Real> zoneShare;
+    zoneShare.resize(zones_.size());
+    const SoilSums<Dim> s = sums(x, -1, near, zoneShare);
+    Real moving = s.solid;
+    for (std::size_t z = 0; z < zones_.size(); ++z) moving -= zoneShare[z] * (1 - zones_[z].porosity);
+    const Index zone = zoneOf(s, zoneShare);
+    return std::max(kLeastPorosity, (zone == kClearWater ? 1 : zones_[zone].porosity) - moving / s.open);
 }
 
 template <int Dim>
 void PorousField<Dim>::setParticle(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare,
                                    std::size_t i, PorousState<Dim>& state) const
 {
-    const Real eps = porosityOf(s);
+    const Real eps = std::max(kLeastPorosity, 1 - s.solid / s.open);
     const Real share = std::min(Real(1), s.share / s.open);
-    const auto soil = std::max_element(zoneShare.begin(), zoneShare.end());
-    const auto& law = zones_[static_cast<std::size_t>(soil - zoneShare.begin())];
-    const Real ofSoil = *soil / s.open, clear = 1 - share;
-    const bool inSoil = ofSoil > clear;
-    const Resistance resistance = inSoil ? law.resistance : Resistance{};
-    const Real inertia = ofSoil > 0 ? law.model->inertiaCoefficient(eps) : 1;
+    const std::size_t soil = static_cast<std::size_t>(std::max_element(zoneShare.begin(), zoneShare.end()) - zoneShare.begin());
+    const Index zone = zoneOf(s, zoneShare);
+    const Real ofSoil = zoneShare[soil] / s.open;
+    const Resistance resistance = zone == kClearWater ? Resistance{} : zones_[zone].resistance;
+    const Real inertia = ofSoil > 0 ? zones_[soil].model->inertiaCoefficient(eps) : 1;
     state.porosity[i] = eps;
     state.share[i] = share;
-    state.zone[i] = inSoil ? static_cast<Index>(soil - zoneShare.begin()) : kClearWater;
-    state.depth[i] = latticeSpline::depthOf(std::max(ofSoil, clear));
+    state.zone[i] = zone;
+    state.depth[i] = latticeSpline::depthOf(zone == kClearWater ? 1 - share : ofSoil);
     state.linear[i] = resistance.linear;
     state.quadratic[i] = resistance.quadratic;
     state.mobility[i] = eps / inertia;

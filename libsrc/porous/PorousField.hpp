@@ -66,14 +66,16 @@ public:
     /// divided by the share of the kernel that is not wall.
     void evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state) const;
 
-    /// eps at one point.
-    Real porosityAt(const Vec<Dim>& x) const { return porosityOf(at(x, -1)); }
+    /// Porosity at one point with faces as sharp as they are: that of the zone with the largest share, less the
+    /// grains of released soil.
+    Real sharpPorosityAt(const Vec<Dim>& x) const;
 
     /// The sums at one point, without the soil particle `except` (-1: with all).
     SoilSums<Dim> at(const Vec<Dim>& x, Index except) const;
 
 private:
-    static Real porosityOf(const SoilSums<Dim>& s);
+    /// The zone with the largest share, or kClearWater.
+    Index zoneOf(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare) const;
     struct Near;
     SoilSums<Dim> sums(const Vec<Dim>& x, Index except, Near& near, std::vector<Real>& zoneShare) const;
     void gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points, const Vec<Dim>& x, Near& near) const;

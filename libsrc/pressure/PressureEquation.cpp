@@ -107,18 +107,19 @@ Real contract(const Mat<Dim>& L, const Mat<Dim>& M)
     return sum;
 }
 
-/// s_i w_i - v_i, what the pressure took from the predictor, as far as the last step tells it: at a surface and in clear
-/// water by its force gradient; in soil, where drag holds the momentum, by its velocity.                 [theory (5.4), (5.12)]
+/// s_i w_i - v_i, what the pressure took from the predictor in the last step. In soil, which may be driven by more than
+/// gravity, it is taken as it was; at a surface noise could be more.                                  [theory (5.4)]
 template <int Dim, class Medium>
 Vec<Dim> lastChange(Index i, SurfaceRole role, const Medium& medium, const PressureSource<Dim>& source)
 {
-    if (role == SurfaceRole::near || medium.porosity(i) == 1)
-        return medium.beta(i) * atMost(source.forceGradient[i], norm(source.force));
-    if constexpr (Medium::hasSoil)
-        if (medium.inSoil(i) && !source.u.empty())
-            return medium.damping(i) * source.v[i] - medium.porosity(i) * source.u[i];
-    return {};
+    const Vec<Dim>& c = source.forceGradient[i];
+    const bool driven = medium.inSoil(i) && role == SurfaceRole::inner;
+    return medium.beta(i) * (driven ? c : atMost(c, norm(source.force)));
 }
+
+/// |T_i| h_i that counts of an inner particle beside walls: packings leave 0.1, a free surface 1.2; more is a corner with
+/// less room than a particle takes.
+constexpr Real kMostLopsided = 0.3;   // [theory (5.4)]
 
 /// More room than the entries of a step take, so that those of the next ones fit.
 constexpr Real kRoom = 1.02;
@@ -236,7 +237,9 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
         const Mat<Dim>& L = corrections.L[i];
         const Real divergence = contract(L, sum.flux.total()) + sumOf(sum.crossing)
                               - medium.damping(i) * dot(source.v[i], L * wallGradient);   // walls at rest
-        const Real deferred = -dot(lastChange(i, role[i], medium, source), corrections.lopsided[i]);
+        const bool atWall = role[i] == SurfaceRole::inner && pairs.wallNeighbours(i) > 0;
+        const Vec<Dim> T = atWall ? atMost(corrections.lopsided[i], kMostLopsided / points.h[i]) : corrections.lopsided[i];
+        const Real deferred = -dot(lastChange(i, role[i], medium, source), T);
         matrix.diagonal[r] = sumOf(sum.diagonal);
         rhs[r] = dot(source.force, sumOf(sum.side)) + known - V_i * (divergence - source.divergence[i] + deferred);
         if (pairs.seesImages(i)) sortRow(matrix, matrix.rowStart[r], matrix.rowStart[r + 1]);

@@ -22,11 +22,10 @@ struct PressureRows {
 template <int Dim>
 struct PressureSource {
     Span<const Vec<Dim>> v;               ///< w, the predictor's Darcy velocity, water and images
-    Span<const Vec<Dim>> forceGradient;   ///< c_i, (grad p)/rho - g of the last step
+    Span<const Vec<Dim>> forceGradient;   ///< c_i, (s w - v)/beta of the last step
     Span<const Real> divergence;          ///< wanted divergence of v_D after the step [1/s]
     Vec<Dim> force{};                     ///< g + body force
     Span<const Real> surfacePressure{};   ///< p/rho0 of surface particles [m2/s2]; empty: 0   [theory (6.9)]
-    Span<const Vec<Dim>> u{};             ///< pore velocity before the step, of water in soil; empty: not asked for
 };
 
 /// Row i, multiplied by V_i so that the matrix is symmetric:                              [theory (5.1)]
@@ -34,7 +33,7 @@ struct PressureSource {
 /// over water partners; walls are left out, which makes them impermeable (natural Neumann condition).
 /// p is known at surface particles. T_i = sum_j V_j F_ij x_ji over water and walls is what the surface cuts
 /// off a support, and the disorder of a packing; the term makes the row exact for a linear pressure, at rest
-/// as in free fall, near the surface and in clear water.                                        (5.4)
+/// as in free fall, and for a uniform flow through faces of soil.                               (5.4)
 /// The unknown is p/rho0.
 template <int Dim, class Medium>
 void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corrections<Dim>& corrections,

@@ -27,7 +27,7 @@ FlowView flowView(const Scene<Dim>& scene, const StepFields<Dim>& fields, Real t
         view.porosityAt = [&soil = *scene.porous](const Vector3& place) {
             Vec<Dim> x;
             std::copy_n(place.begin(), Dim, x.c.begin());
-            return soil.porosityAt(x);
+            return soil.sharpPorosityAt(x);
         };
     view.scalars["p"] = pressure(scene, fields);
     view.vectors["U"] = toVectors3(scene.water.u);

@@ -143,7 +143,7 @@ private:
 ///               where the water fills half of what the walls leave (water share = (1 - wall
 ///               share)/2), w that outside the walls (wall share < 1/2, by kernels of half the
 ///               width, because the contour of a share cuts corners off), both from the kernel sums
-///               at its centre; eps the porosity there
+///               at its centre; eps the porosity of the zone there
 ///   spray       m/rho0 of the particles whose own place is not in that water (drops of one or a
 ///   few
 ///               particles, whose kernel sum stays below the half)
