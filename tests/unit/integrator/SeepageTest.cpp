@@ -83,13 +83,13 @@ std::string permeable(Real K)
 class Darcy : public testing::TestWithParam<Real> {};
 
 // dt = 1 ms is 10 to 1e7 times what explicit drag would stand.
-TEST_P(Darcy, DischargeIsWithinTwoPercentAndFinerSpacingIsNoWorse)
+TEST_P(Darcy, DischargeIsExactAtEverySpacing)
 {
-    const Real coarse = DarcyColumn{GetParam(), 40}.error(), fine = DarcyColumn{GetParam(), 80}.error();
-    RecordProperty("errorAt40", fmt::format("{}", coarse));
-    RecordProperty("errorAt80", fmt::format("{}", fine));
-    EXPECT_LT(coarse, 0.02);
-    EXPECT_LT(fine, coarse + 0.003);   // both hold a jitter of the interface's position, some 0.3 %
+    // The solver's tolerance, 1e-11, times the condition of a thousand unknowns. Through the coarsest grains, at
+    // 0.1 m/s, rows of particles pass the faces one after the other.
+    const Real bound = GetParam() > 5e-3 ? 1e-3 : 1e-5;
+    EXPECT_LT((DarcyColumn{GetParam(), 40}.error()), bound);
+    EXPECT_LT((DarcyColumn{GetParam(), 80}.error()), bound);
 }
 
 INSTANTIATE_TEST_SUITE_P(GrainSizes, Darcy, testing::Values(1e-2, 1e-3, 1e-4, 1e-5),
