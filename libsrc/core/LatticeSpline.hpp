@@ -40,13 +40,13 @@ inline Real slope(Real x)
 /// the sums: 0 for a half and less, no more than kDeep.                                           [theory (4.15)]
 inline Real depthOf(Real share)
 {
+    if (share >= 1 - value(kDeep + Real(0.5))) return kDeep;   // most particles: 1 - phi is the one term beyond
     Real xi = 0;
     for (int n = 0; n < 12; ++n) {   // Newton's: phi is concave for xi > 0, so that none goes too far
         Real phi = 0, rise = 0;
         for (Real x = xi - Real(0.5); x > -kReach; --x) phi += value(x), rise += slope(x);
         const Real further = std::max(Real(0), share - phi) / rise;
         xi += further;
-        if (xi >= kDeep) return kDeep;
         if (further < 1e-12) return xi;
     }
     return xi;

@@ -153,6 +153,19 @@ TEST(PorousField, BetweenTwoZonesHasTheMeanOfTheirPorosities)
     EXPECT_NEAR(state.share[1], 1, exact);
 }
 
+TEST(PorousField, SharpPorosityIsThatOfTheZoneLessTheGrainsThatMove)
+{
+    auto scene = SceneBuilder<2>(1).soil({0, 0}, {14, 6}, sand(0.3, 0.001))
+                     .soil({0, 6}, {14, 10}, sand(0.5, 0.01)).build();
+    EXPECT_NEAR(scene.porous->sharpPorosityAt({6.3, 5.9}), 0.3, exact);
+    EXPECT_NEAR(scene.porous->sharpPorosityAt({6.3, 6.1}), 0.5, exact);
+    EXPECT_NEAR(scene.porous->sharpPorosityAt({6.3, 9.9}), 0.5, exact);
+    EXPECT_NEAR(scene.porous->sharpPorosityAt({6.3, 10.1}), 1, exact);
+    for (std::size_t k = 0; k < scene.soil.size(); ++k) scene.soil.released[k] = scene.soil.x[k][1] > 6;
+    scene.porous->place(scene.soil, scene.box);
+    EXPECT_NEAR(scene.porous->sharpPorosityAt({6.3, 8}), 1 - 0.5 * 0.99948, 1e-4);   // 2 d0 from both ends of the grains
+}
+
 TEST(PorousField, ReleasedGrainsFillSpaceButResistNoMore)
 {
     auto scene = SceneBuilder<2>(1).soil({0, 0}, {12, 12}, sand(0.4, 0.001)).build();

@@ -104,6 +104,23 @@ TEST(SteadySeepage, ThroughFacesIsAnExactSolution)
     EXPECT_LT(changeOfSteadyFlow({permeable(1e-11), permeable(1e-8)}, 0.1), moves);
 }
 
+TEST(SandBed, LetsWaterBesideItFeelTheWholeForceAlongIt)
+{
+    // From rest a step gives clear water dt f k/eps = dt f/C_r, and that beside sand no less: half of its partners
+    // conduct nothing. The lattice is even along the face, so that no pressure stands against the force.
+    constexpr Real f = 0.5, dt = 1e-3;
+    Scene<2> s = SceneBuilder<2>(0.025).force({f, 0})
+        .water({0, 0}, {0.3, 0.25}).waterCells({0, 0.25}, {0.3, 0.75}, {8, 12}).water({0, 0.75}, {0.3, 1})
+        .soil({0, 0.25}, {0.3, 0.75}, permeable(1e-11)).periodic({0, 0}, {0.3, 1}, {true, true}).build();
+    advance<2>(s, dt, 1, [&](int, const StepFields<2>& fields) {
+        for (std::size_t i = 0; i < s.water.size(); ++i) {
+            if (fields.soil.zone[i] != kClearWater) continue;
+            const Real expected = dt * f * fields.soil.mobility[i] / fields.soil.porosity[i];
+            EXPECT_NEAR(s.water.u[i][0] / expected, 1, 0.02) << "at " << s.water.x[i][1];
+        }
+    });
+}
+
 TEST(SandBed, IsNoNoSlipWallToTheWaterAboveIt)
 {
     const Real d0 = 0.01, bed = 0.1, L = 0.24;
