@@ -34,7 +34,7 @@ protected:
               "    printf -- '--> FOAM FATAL ERROR:\\nit blew up, see \"x\"\\n\\nFOAM exiting\\n'; "
               "exit 1\n"
               "fi\n"
-              "grep -q quinticSpline system/isphSchemes && sleep 30\n"
+              "grep -q quinticSpline system/isphSchemes && sleep 60\n"
               "echo 'Time = 1s'\n"
               "mkdir -p postProcessing/error/0\n"
               "awk \"BEGIN { print \\\"# Time L2\\\\n0 9\\\\n1 \\\" $d^2 }\" > "
