@@ -29,6 +29,8 @@ struct FlowView {
     std::vector<Real> porosity;  ///< 1 in clear water
     /// That at any place, from the soil itself and with sharp faces; empty without soil.
     std::function<Real(const Vector3&)> porosityAt;
+    std::vector<Index> zone;                        ///< of soil; empty without soil
+    std::function<Index(const Vector3&)> zoneAt;    ///< at any place; empty without soil
     std::map<std::string, std::vector<Real>> scalars;  ///< "p" [Pa], "porosity", ...
     std::map<std::string, std::vector<Vector3>>
         vectors;  ///< "U" pore velocity, "UDarcy" [m/s], ...

@@ -179,6 +179,15 @@ Shares KernelField::shares(const Vec<3>& x) const
     return shares;
 }
 
+void KernelField::gatherOneSide(const Vec<3>& x, KernelSamples& samples) const
+{
+    water_.gather(x, samples);
+    if (!flow_.zoneAt) return;
+    const auto least = static_cast<std::size_t>(flow_.dimension + 2);   // for a gradient
+    const Index zone = flow_.zoneAt({x[0], x[1], x[2]});
+    samples.keep(least, [&](Index i) { return flow_.zone[i] == zone; });
+}
+
 std::vector<Real> interpolationWeights(const KernelSamples& samples, int dimension, Real length)
 {
     constexpr Real mostGrowth = 6;

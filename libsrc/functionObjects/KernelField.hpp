@@ -18,6 +18,20 @@ struct KernelSamples {
 
     std::size_t size() const { return owner.size(); }
     void resize(std::size_t count);
+    /// Leaves those out that `stays(owner)` denies, if at least `least` remain.
+    template <class F>
+    void keep(std::size_t least, F&& stays)
+    {
+        std::vector<std::size_t> kept;
+        for (std::size_t k = 0; k < size(); ++k)
+            if (stays(owner[k])) kept.push_back(k);
+        if (kept.size() < least || kept.size() == size()) return;
+        const auto pick = [&](auto& values) {
+            for (std::size_t k = 0; k < kept.size(); ++k) values[k] = values[kept[k]];
+            values.resize(kept.size());
+        };
+        pick(owner), pick(offset), pick(weight), pick(slope), pick(q);
+    }
 };
 
 /// Particles of one kind with the volumes and widths of their kernels. In 2-D z = 0.
@@ -71,6 +85,9 @@ public:
     const KernelCloud& walls() const { return walls_; }
 
     Shares shares(const Vec<3>& x) const;
+    /// The water that tells values at x: that of its own soil zone, where there is enough of it. At the
+    /// face of soil fields have kinks, and a mean over both sides is off by their jump.
+    void gatherOneSide(const Vec<3>& x, KernelSamples& samples) const;
 
 private:
     const FlowView& flow_;

@@ -28,22 +28,24 @@ Real supportFactor(Real lambda_i, Real lambda_j)
     return 1 / std::max(kLeastSupport, (lambda_i + lambda_j) / (2 * Dim));
 }
 
-/// What pairs ask of a particle, side by side in memory. The gradient needs the first eight numbers.
+/// What pairs ask of a particle, side by side in memory. The gradient needs the first eight,
+/// beside soil the zone too.
 template <int Dim>
 struct Carried {
     enum Place : int {
         x = 0,                 ///< Dim values
         v = Dim,               ///< extrapolated to the new time, Dim values
-        volume = 2 * Dim, part, lambda, viscosity,
+        volume = 2 * Dim, part, lambda, viscosity, zone,
         gradient,              ///< grad v of inner particles, zero of others, row by row
-        used = gradient + Dim * Dim, size = (used + kLanes - 1) / kLanes * kLanes
+        whole = gradient + Dim * Dim,   ///< 1 if inner and all partners are in the same zone, otherwise 0
+        used, size = (used + kLanes - 1) / kLanes * kLanes
     };
     /// part: 1 near the surface, 2 inner; negative in soil that holds its water. No dissipation acts across its face. (7.5)
     static constexpr Real kClear = 1, kInner = 2;
 };
 
 /// grad v; where it is zero a velocity difference has no smooth part.                      [theory (7.3)]
-template <int Dim>
+template <bool HasSoil, int Dim>
 void velocityGradient(const StepFields<Dim>& fields, Index i, const Records<Carried<Dim>::size>& carried)
 {
     using C = Carried<Dim>;
@@ -51,9 +53,12 @@ void velocityGradient(const StepFields<Dim>& fields, Index i, const Records<Carr
     std::fill(own + C::gradient, own + C::size, 0);
     if (std::abs(own[C::part]) != C::kInner) return;
     OuterSum<Dim> sum;
+    bool whole = true;
     fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
-        const auto of = carried.template gather<kLanes>(pairs.j);
+        const auto of = carried.template gather<HasSoil ? 2 * kLanes : kLanes>(pairs.j);
         std::array<Lanes, Dim> change, x_ij;
+        if constexpr (HasSoil)
+            for (int l = 0; l < kLanes; ++l) whole &= of[C::zone][l] == own[C::zone];
         for (int d = 0; d < Dim; ++d) {
             change[d] = pairs.slope * of[C::volume] * (of[C::v + d] - own[C::v + d]);
             x_ij[d] = own[C::x + d] - of[C::x + d];
@@ -63,6 +68,7 @@ void velocityGradient(const StepFields<Dim>& fields, Index i, const Records<Carr
     const Mat<Dim> gradient = sum.total() * fields.corrections.Lwater(i);
     for (int r = 0; r < Dim; ++r)
         for (int c = 0; c < Dim; ++c) own[C::gradient + r * Dim + c] = gradient[r][c];
+    own[C::whole] = whole;
 }
 
 template <int Dim>
@@ -106,6 +112,16 @@ inline Lanes sharpened(const Lanes& a, const Lanes& smooth)
     return a + (more < -most ? -most : (more > most ? most : more));
 }
 
+/// Viscosity along the lines to partners, that of two media in series.                      [theory (3.3)]
+template <int Dim>
+Lanes viscosityOf(const Partners<Dim>& partners, const Lanes& ownShare)
+{
+    using C = Carried<Dim>;
+    const Real nu_i = partners.own[C::viscosity];
+    const Lanes nu_j = partners(C::viscosity), both = ownShare * nu_j + (1 - ownShare) * nu_i;
+    return both > 0 ? nu_i * nu_j / both : Lanes{};
+}
+
 /// Second derivatives and second moments of a row of an inner particle, those of every lane apart: what the
 /// anisotropy of the packing adds to friction.                                            [theory (2.14)]
 template <int Dim>
@@ -115,9 +131,9 @@ struct AnisotropySum {
     std::array<std::array<std::array<Lanes, Dim>, Dim>, Dim> bend{};   ///< sum V (grad v_j - grad v_i) gradW_ij
 
     void add(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, const Lanes& slope, const Lanes& weight,
-             const Lanes& part)
+             const Lanes& smooth)
     {
-        const Lanes VSlope = part == C::kInner ? partners(C::volume) * slope : Lanes{};
+        const Lanes VSlope = smooth * partners(C::volume) * slope;
         for (int a = 0; a < Dim; ++a)
             for (int c = 0; c < Dim; ++c) {
                 spread[a][c] += weight * x[a] * x[c];
@@ -154,7 +170,8 @@ struct RateSum {
     std::array<Lanes, Dim> side{};       ///< sum V F x_ij over the share of a full support
     std::conditional_t<Viscous, AnisotropySum<Dim>, NoAnisotropySum<Dim>> anisotropy{};
 
-    void add(const Partners<Dim>& partners, const Lanes& slope)
+    /// ownShare: of the line between both, in the zone of the particle itself.
+    void add(const Partners<Dim>& partners, const Lanes& slope, const Lanes& ownShare)
     {
         std::array<Lanes, Dim> v_ij, x, smooth;
         Lanes approach{}, smoothApproach{}, r2{};
@@ -169,17 +186,17 @@ struct RateSum {
             r2 += x[d] * x[d];
         }
         const Lanes VF = -2 * partners(C::volume) * slope;
-        const Lanes weight = VF / supportOf(partners), nu = viscosityOf(partners);
+        const Lanes weight = VF / supportOf(partners), nu = viscosityOf(partners, ownShare);
         const Lanes part = partners(C::part) * (partners.own[C::part] < 0 ? Real(-1) : Real(1));
         const bool inner = std::abs(partners.own[C::part]) == C::kInner;
         const Lanes pull = pullOf(part, inner, VF, approach, smoothApproach, nu) / (r2 > shortest2 ? r2 : allLanes(shortest2));
-        const Lanes friction = weight * nu;
+        const Lanes friction = weight * nu, smoothPair = partners.own[C::whole] * partners(C::whole);
         for (int d = 0; d < Dim; ++d) {
-            const Lanes v = inner ? (part == C::kInner ? sharpened(v_ij[d], smooth[d]) : v_ij[d]) : v_ij[d];
+            const Lanes v = smoothPair > 0 ? sharpened(v_ij[d], smooth[d]) : v_ij[d];
             rate[d] -= friction * v + pull * x[d];
             side[d] += weight * x[d];
         }
-        if (inner) anisotropy.add(partners, x, slope, weight, part);
+        if (partners.own[C::whole] > 0) anisotropy.add(partners, x, slope, weight, smoothPair);
     }
 
 private:
@@ -194,12 +211,6 @@ private:
     {
         const Lanes support = partners.sum(C::lambda) * (Real(0.5) / Dim);
         return support > kLeastSupport ? support : allLanes(kLeastSupport);
-    }
-    /// Harmonic mean of the viscosities.
-    static Lanes viscosityOf(const Partners<Dim>& partners)
-    {
-        const Lanes both = partners.sum(C::viscosity), product = 2 * partners.own[C::viscosity] * partners(C::viscosity);
-        return both > 0 ? product / both : Lanes{};
     }
     /// 2 V F (c_r |a| - nu) a, a the approach or its rough part: what friction does not do itself.
     Lanes pullOf(const Lanes& part, bool inner, const Lanes& VF, const Lanes& approach, const Lanes& smooth,
@@ -225,6 +236,41 @@ Real neighboursOfLattice(const Scheme<Dim>& scheme)
     const Real q = 2 * scheme.h0 / scheme.spacing, pi = 3.141592653589793;
     return Dim == 2 ? pi * sqr(q) : 4 * pi / 3 * cube(q);
 }
+/// Shares of the lines to partners in the zone of the particle itself.                     [theory (4.15)]
+template <int Dim, class Medium>
+Lanes ownShareOf(Index i, const Medium& medium, const PairLanes& pairs, const Partners<Dim>& partners)
+{
+    using C = Carried<Dim>;
+    Lanes share = allLanes(0.5);
+    for (int l = 0; l < kLanes; ++l) {
+        Vec<Dim> x_ij;
+        for (int d = 0; d < Dim; ++d) x_ij[d] = partners.difference(C::x + d)[l];
+        share[l] = medium.weight(i, pairs.j[l], x_ij);
+    }
+    return share;
+}
+
+/// nu grad v of a particle that has partners across a face, of the viscosity of each pair: exact where the stress is
+/// uniform, whatever the jump of the gradient.                                             [theory (2.15)]
+template <int Dim, class Medium>
+Mat<Dim> stressOf(Index i, const Medium& medium, const StepFields<Dim>& fields,
+                  const Records<Carried<Dim>::size>& carried)
+{
+    using C = Carried<Dim>;
+    OuterSum<Dim> sum;
+    fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
+        const Partners<Dim> partners{carried[i], carried.gather(pairs.j)};
+        const Lanes nu = viscosityOf(partners, ownShareOf(i, medium, pairs, partners));
+        std::array<Lanes, Dim> change, x_ij;
+        for (int d = 0; d < Dim; ++d) {
+            change[d] = -pairs.slope * partners(C::volume) * nu * partners.difference(C::v + d);
+            x_ij[d] = partners.difference(C::x + d);
+        }
+        sum.add(change, x_ij);
+    });
+    return sum.total() * fields.corrections.Lwater(i);
+}
+
 /// Accelerations of a particle by friction and dissipation.
 template <bool Viscous, int Dim, class Medium>
 Vec<Dim> rateOf(Index i, const Medium& medium, const WallCloud<Dim>& walls, const Scheme<Dim>& scheme, Real most,
@@ -234,7 +280,14 @@ Vec<Dim> rateOf(Index i, const Medium& medium, const WallCloud<Dim>& walls, cons
     const auto& pairs = fields.pairs;
     const Real* own = carried[i];
     RateSum<Dim, Viscous> sum{scheme.dissipation, most, 1e-12 * sqr(scheme.spacing)};
-    pairs.forWaterLanes(i, [&](const PairLanes& eight) { sum.add({own, carried.gather(eight.j)}, eight.slope); });
+    const bool whole = own[C::whole] > 0;
+    pairs.forWaterLanes(i, [&](const PairLanes& eight) {
+        const Partners<Dim> partners{own, carried.gather(eight.j)};
+        Lanes ownShare = allLanes(0.5);
+        if constexpr (Medium::hasSoil)
+            if (!whole) ownShare = ownShareOf(i, medium, eight, partners);
+        sum.add(partners, eight.slope, ownShare);
+    });
     Vec<Dim> rate = sumOf(sum.rate), side = sumOf(sum.side), v_i;
     for (int d = 0; d < Dim; ++d) v_i[d] = own[C::v + d];
     const Real nu_i = own[C::viscosity];
@@ -246,10 +299,15 @@ Vec<Dim> rateOf(Index i, const Medium& medium, const WallCloud<Dim>& walls, cons
             rate -= weight * nu_i * walls.slip(k, pair.x_ij, v_i, medium.porosity(i), scheme.spacing);
             side += weight * pair.x_ij;
         });
+    const bool inner = std::abs(own[C::part]) == C::kInner, clear = pairs.wallNeighbours(i) == 0;
     // Where slip walls cut the support the Laplacian stays as it is.
-    const bool clear = pairs.wallNeighbours(i) == 0;
-    if (clear || !walls.noSlip.empty()) rate += nu_i * (gradientOf<Dim>(own) * side);
-    if (clear) rate -= nu_i * sum.anisotropy.excess(fields.corrections.Lwater(i));
+    if (clear || !walls.noSlip.empty()) {
+        if constexpr (Medium::hasSoil) {
+            if (inner && !whole && nu_i > 0) return rate + stressOf(i, medium, fields, carried) * side;
+        }
+        rate += nu_i * (gradientOf<Dim>(own) * side);
+    }
+    if (clear && whole) rate -= nu_i * sum.anisotropy.excess(fields.corrections.Lwater(i));
     return rate;
 }
 }  // namespace
@@ -273,7 +331,8 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         to[C::part] = (inner ? C::kInner : C::kClear) * (medium.isHeld(i, norm(water.u[i])) ? -1 : 1);
         to[C::volume] = points.volume[i];
         to[C::lambda] = lambda[i];
-        to[C::viscosity] = (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / eps;
+        to[C::viscosity] = (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / medium.sharpPorosity(i);
+        to[C::zone] = medium.zone(i);
     });
     const auto copyToImages = [&](int from, int to) {
         parallelFor(points.images(), [&](Index k) {
@@ -286,7 +345,7 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         for (int d = 0; d < Dim; ++d) carried[i][C::x + d] = points.x[i][d];
     });
     if (scheme.dissipation > 0 || scheme.viscosity > 0) {
-        parallelForDynamic(points.water, [&](Index i) { velocityGradient(fields, i, carried); });
+        parallelForDynamic(points.water, [&](Index i) { velocityGradient<Medium::hasSoil>(fields, i, carried); });
         copyToImages(C::gradient, C::size);
     }
     const bool viscous = scheme.viscosity * weights.dtPrime() > kViscous * sqr(scheme.h0);

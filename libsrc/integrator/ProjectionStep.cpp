@@ -37,7 +37,7 @@ void ProjectionStep<Dim>::look()
     findFreeSurface(points, fields_.pairs, fields_.corrections, fields_.role);
     if (scene_.porous) {
         const auto refresh = [&](auto& field) { field.resize(points.fluid), points.refresh(field); };
-        refresh(soil.porosity), refresh(soil.zone), refresh(soil.depth);
+        refresh(soil.porosity), refresh(soil.sharpPorosity), refresh(soil.zone), refresh(soil.depth);
         refresh(soil.mobility), refresh(soil.normal);
     }
 }

@@ -16,6 +16,8 @@ struct ClearWater {
     Real dt = 0;   ///< the step as the time integration weighs it, dt' of (3.2)
 
     Real porosity(Index) const { return 1; }
+    Real sharpPorosity(Index) const { return 1; }
+    Index zone(Index) const { return kClearWater; }
     bool inSoil(Index) const { return false; }
     bool isHeld(Index, Real) const { return false; }
     Real mobility(Index) const { return 1; }
@@ -35,6 +37,8 @@ struct WaterInSoil {
     Real spacing = 0;              ///< d0 [m]
 
     Real porosity(Index i) const { return state.porosity[i]; }
+    Real sharpPorosity(Index i) const { return state.sharpPorosity[i]; }
+    Index zone(Index i) const { return state.zone[i]; }
     bool inSoil(Index i) const { return state.zone[i] != kClearWater; }
     /// Whether water in soil is another flow than that beside it: it has pores to squeeze through, or drag would stop it
     /// at this pore velocity [m/s] within ten spacings.                                                    [theory (7.5)]
@@ -62,16 +66,6 @@ struct WaterInSoil {
     bool atFace(Index i) const { return state.depth[i] < latticeSpline::kDeep; }
     /// Unit normal of the face between i and j, zero where there is none.
     Vec<Dim> normal(Index i, Index j) const { return unit(state.normal[i] + state.normal[j]); }
-    /// w.x_ij of a pair as far as its damping acts on it: across a face only the part through it, so that soil is no
-    /// no-slip wall to the water along it.
-    Real damped(Index i, Index j, const Vec<Dim>& w, const Vec<Dim>& x) const
-    {
-        if (state.zone[i] == state.zone[j]) return dot(w, x);
-        const Vec<Dim> n = normal(i, j);
-        return dot(w, n) * dot(n, x);
-    }
-
-private:
     /// Share of the line from i to j that lies in the soil (or water) of i: a face between two zones cuts it in
     /// proportion to their depths beneath it. Where one is deeper than the soil sums tell, the line does.  [theory (4.15)]
     Real weight(Index i, Index j, const Vec<Dim>& x) const
@@ -82,6 +76,16 @@ private:
         const Real across = std::max(both, std::abs(dot(normal(i, j), x)) / spacing);
         return atFace(i) ? a / across : 1 - b / across;
     }
+    /// w.x_ij of a pair as far as its damping acts on it: across a face only the part through it, so that soil is no
+    /// no-slip wall to the water along it.
+    Real damped(Index i, Index j, const Vec<Dim>& w, const Vec<Dim>& x) const
+    {
+        if (state.zone[i] == state.zone[j]) return dot(w, x);
+        const Vec<Dim> n = normal(i, j);
+        return dot(w, n) * dot(n, x);
+    }
+
+private:
     Real pairMobility(Index i, Index j) const
     {
         return 2 * state.mobility[i] * state.mobility[j] / (state.mobility[i] + state.mobility[j]);

@@ -173,24 +173,49 @@ SoilSums<Dim> PorousField<Dim>::at(const Vec<Dim>& x, Index except) const
     return sums(x, except, near, zoneShare);
 }
 
+/// Where among the zones a point is.
 template <int Dim>
-Index PorousField<Dim>::zoneOf(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare) const
+struct PorousField<Dim>::Place {
+    Index soil;            ///< zone with the largest share
+    Real share;            ///< of that zone
+    Index zone;            ///< the same, or kClearWater where that has more
+    Real sharpPorosity;    ///< of `zone` less the grains of released soil
+};
+
+template <int Dim>
+auto PorousField<Dim>::placeOf(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare) const -> Place
 {
     const auto most = std::max_element(zoneShare.begin(), zoneShare.end());
-    return *most > s.open - s.share ? static_cast<Index>(most - zoneShare.begin()) : kClearWater;
+    Place place;
+    place.soil = static_cast<Index>(most - zoneShare.begin());
+    place.share = *most / s.open;
+    place.zone = *most > s.open - s.share ? place.soil : kClearWater;
+    Real moving = s.solid;
+    for (std::size_t z = 0; z < zones_.size(); ++z) moving -= zoneShare[z] * (1 - zones_[z].porosity);
+    const Real intact = place.zone == kClearWater ? 1 : zones_[place.zone].porosity;
+    place.sharpPorosity = std::max(kLeastPorosity, intact - moving / s.open);
+    return place;
+}
+
+template <int Dim>
+auto PorousField<Dim>::placeAt(const Vec<Dim>& x) const -> Place
+{
+    thread_local Near near;
+    thread_local std::vector<Real> zoneShare;
+    zoneShare.resize(zones_.size());
+    return placeOf(sums(x, -1, near, zoneShare), zoneShare);
 }
 
 template <int Dim>
 Real PorousField<Dim>::sharpPorosityAt(const Vec<Dim>& x) const
 {
-    thread_local Near near;
-    thread_local std::vector<Real> zoneShare;
-    zoneShare.resize(zones_.size());
-    const SoilSums<Dim> s = sums(x, -1, near, zoneShare);
-    Real moving = s.solid;
-    for (std::size_t z = 0; z < zones_.size(); ++z) moving -= zoneShare[z] * (1 - zones_[z].porosity);
-    const Index zone = zoneOf(s, zoneShare);
-    return std::max(kLeastPorosity, (zone == kClearWater ? 1 : zones_[zone].porosity) - moving / s.open);
+    return placeAt(x).sharpPorosity;
+}
+
+template <int Dim>
+Index PorousField<Dim>::zoneAt(const Vec<Dim>& x) const
+{
+    return placeAt(x).zone;
 }
 
 template <int Dim>
@@ -199,15 +224,15 @@ void PorousField<Dim>::setParticle(const SoilSums<Dim>& s, const std::vector<Rea
 {
     const Real eps = std::max(kLeastPorosity, 1 - s.solid / s.open);
     const Real share = std::min(Real(1), s.share / s.open);
-    const std::size_t soil = static_cast<std::size_t>(std::max_element(zoneShare.begin(), zoneShare.end()) - zoneShare.begin());
-    const Index zone = zoneOf(s, zoneShare);
-    const Real ofSoil = zoneShare[soil] / s.open;
-    const Resistance resistance = zone == kClearWater ? Resistance{} : zones_[zone].resistance;
-    const Real inertia = ofSoil > 0 ? zones_[soil].model->inertiaCoefficient(eps) : 1;
+    const Place place = placeOf(s, zoneShare);
+    const bool clear = place.zone == kClearWater;
+    const Resistance resistance = clear ? Resistance{} : zones_[place.zone].resistance;
+    const Real inertia = place.share > 0 ? zones_[place.soil].model->inertiaCoefficient(eps) : 1;
     state.porosity[i] = eps;
+    state.sharpPorosity[i] = place.sharpPorosity;
     state.share[i] = share;
-    state.zone[i] = zone;
-    state.depth[i] = latticeSpline::depthOf(zone == kClearWater ? 1 - share : ofSoil);
+    state.zone[i] = place.zone;
+    state.depth[i] = latticeSpline::depthOf(clear ? 1 - share : place.share);
     state.linear[i] = resistance.linear;
     state.quadratic[i] = resistance.quadratic;
     state.mobility[i] = eps / inertia;
@@ -219,7 +244,7 @@ template <int Dim>
 void PorousField<Dim>::evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state) const
 {
     const std::size_t n = x.size();
-    state.porosity.resize(n), state.share.resize(n), state.zone.resize(n), state.depth.resize(n);
+    state.porosity.resize(n), state.sharpPorosity.resize(n), state.share.resize(n), state.zone.resize(n), state.depth.resize(n);
     state.linear.resize(n), state.quadratic.resize(n), state.mobility.resize(n), state.normal.resize(n);
     state.solidsDivergence.resize(anyReleased_ ? n : 0);
 #pragma omp parallel

@@ -31,6 +31,7 @@ std::vector<SoilZone> readZones(const Dictionary& porousZones, const std::vector
 template <int Dim>
 struct PorousState {
     std::vector<Real> porosity;     ///< eps, 1 in clear water
+    std::vector<Real> sharpPorosity;   ///< with faces as sharp as they are, PorousField::sharpPorosityAt
     std::vector<Real> share;        ///< phi of the bed: 0 in water, 1 in soil
     std::vector<Index> zone;        ///< with the largest share, or kClearWater
     std::vector<Real> depth;        ///< beneath the nearest face of that zone, in d0
@@ -70,12 +71,16 @@ public:
     /// grains of released soil.
     Real sharpPorosityAt(const Vec<Dim>& x) const;
 
+    /// Zone with the largest share at one point, or kClearWater.
+    Index zoneAt(const Vec<Dim>& x) const;
+
     /// The sums at one point, without the soil particle `except` (-1: with all).
     SoilSums<Dim> at(const Vec<Dim>& x, Index except) const;
 
 private:
-    /// The zone with the largest share, or kClearWater.
-    Index zoneOf(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare) const;
+    struct Place;
+    Place placeOf(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare) const;
+    Place placeAt(const Vec<Dim>& x) const;
     struct Near;
     SoilSums<Dim> sums(const Vec<Dim>& x, Index except, Near& near, std::vector<Real>& zoneShare) const;
     void gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points, const Vec<Dim>& x, Near& near) const;

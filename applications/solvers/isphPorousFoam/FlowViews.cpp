@@ -23,12 +23,17 @@ FlowView flowView(const Scene<Dim>& scene, const StepFields<Dim>& fields, Real t
     view.id = scene.water.id;
     view.porosity.assign(fields.soil.porosity.begin(), fields.soil.porosity.begin() + n);
     view.scalars["porosity"] = view.porosity;
-    if (scene.porous)
-        view.porosityAt = [&soil = *scene.porous](const Vector3& place) {
+    if (scene.porous) {
+        const auto at = [](const Vector3& place) {
             Vec<Dim> x;
             std::copy_n(place.begin(), Dim, x.c.begin());
-            return soil.sharpPorosityAt(x);
+            return x;
         };
+        const PorousField<Dim>& soil = *scene.porous;
+        view.porosityAt = [&soil, at](const Vector3& place) { return soil.sharpPorosityAt(at(place)); };
+        view.zone.assign(fields.soil.zone.begin(), fields.soil.zone.begin() + n);
+        view.zoneAt = [&soil, at](const Vector3& place) { return soil.zoneAt(at(place)); };
+    }
     view.scalars["p"] = pressure(scene, fields);
     view.vectors["U"] = toVectors3(scene.water.u);
     std::vector<Vec<Dim>> darcy(scene.water.u);

@@ -232,7 +232,7 @@ private:
         for (const Vector3& point : points_) {
             const Vec<3> x = pointIn(flow, point);
             if (!counts(inside, x, flow.time) || !field.shares(x).inWater()) continue;
-            field.water().gather(x, samples);
+            field.gatherOneSide(x, samples);
             const std::vector<Real> weights =
                 interpolationWeights(samples, flow.dimension, field.water().reach());
             Vec<3> value{};

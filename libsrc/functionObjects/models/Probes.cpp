@@ -138,7 +138,7 @@ private:
     {
         if (!field.shares(x).inWater()) return;
         KernelSamples samples;
-        field.water().gather(x, samples);
+        field.gatherOneSide(x, samples);
         const std::vector<Real> weights =
             interpolationWeights(samples, dimension_, field.water().reach());
         std::size_t k = 0;

@@ -59,6 +59,47 @@ TEST(Friction, OfAPackingThatTheFlowHasDrawnOutIsIsotropic)
     EXPECT_LT(frictionError(40, 0, 0, 1.25), 5e-3);   // without second moments 10 %
 }
 
+/// Water at y < 20, soil of porosity 1/4 above, both shaken; v_x = y with a uniform stress. Largest friction within
+/// 12 spacings of the face over nu v'/d0.
+Real frictionOfUniformStress(Real shaken)
+{
+    const Real eps = 0.25, face = 20;
+    Scene<2> scene = SceneBuilder<2>(1).viscosity(1).force({}).water({0, 0}, {20, face})
+                         .waterCells({0, face}, {20, 40}, {10, 10}).shakeWater(shaken)
+                         .soil({0, face}, {20, 40}, "porousModel darcy; darcyCoeffs { porosity 0.25; K 1; }")
+                         .periodic({0, 0}, {20, 40}, {true, true}).build();
+    scene.scheme.dissipation = 0;
+    Water<2>& water = scene.water;
+    PorousState<2> state;
+    scene.porous->evaluate(water.x, state);
+    for (std::size_t i = 0; i < water.size(); ++i) {
+        const Real y = water.x[i][1], v = y < face ? y : face + eps * (y - face);
+        water.u[i] = water.uOld[i] = {v / state.porosity[i], 0};
+    }
+    Timers timers;
+    OpenStep step(scene, timers);
+    step.look();
+    StepFields<2>& fields = step.open();
+    const StepWeights weights{0.01, 0};
+    const std::vector<Real> noDrag(fields.points.fluid, 0);
+    predict(water, scene.wallCloud, WaterInSoil<2>{weights.dtPrime(), fields.soil, noDrag, 1}, scene.scheme, weights, fields);
+    Real largest = 0;
+    for (std::size_t i = 0; i < water.size(); ++i) {
+        if (std::abs(water.x[i][1] - face) > 12) continue;
+        const Vec<2> change = fields.v[i] - state.porosity[i] * water.u[i];
+        largest = std::max(largest, norm(change) / (state.mobility[i] * weights.dt));
+    }
+    return largest;
+}
+
+TEST(Friction, OfAUniformStressThroughAFaceIsNone)
+{
+    // Media in series: v has a kink at the face. With the mean of both viscosities 0.13 and 0.18, with nu
+    // grad v in place of the stress 0.04 and 0.08.
+    EXPECT_LT(frictionOfUniformStress(0), 1e-6);
+    EXPECT_LT(frictionOfUniformStress(0.1), 1e-6);
+}
+
 TEST(Dissipation, LeavesToFrictionWhatItDoesByItself)
 {
     // Largest 8 c_r |a| of this wave, 8 c_r k^3 r^4/12 = 0.4, is below the viscosity, 1.
