@@ -2,6 +2,7 @@
 #include "integrator/DragImplicitStep.hpp"
 
 #include "integrator/Corrector.hpp"
+#include "integrator/FaceFilter.hpp"
 #include "integrator/Predictor.hpp"
 #include "integrator/Shifting.hpp"
 
@@ -77,6 +78,7 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     {
         const auto timer = timers_.scope("predictor");
         predict(scene_.water, scene_.wallCloud, medium, scene_.scheme, weights, fields_);
+        if constexpr (Medium::hasSoil) filterAtFaces(scene_.water, medium, scene_.scheme, weights, fields_);
     }
     densitySource(medium, report);
     // The surface rows use the force gradient of the step before; a first step has to find it.

@@ -44,7 +44,7 @@ struct Carried {
     static constexpr Real kClear = 1, kInner = 2;
 };
 
-/// grad v; where it is zero a velocity difference has no smooth part.                      [theory (7.3)]
+/// grad v of inner particles; where it is zero a velocity difference has no smooth part.   [theory (7.3)]
 template <bool HasSoil, int Dim>
 void velocityGradient(const StepFields<Dim>& fields, Index i, const Records<Carried<Dim>::size>& carried)
 {
