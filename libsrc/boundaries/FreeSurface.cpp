@@ -2,6 +2,7 @@
 #include "boundaries/FreeSurface.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace isph {
@@ -16,14 +17,13 @@ void findFreeSurface(const Points<Dim>& points, const PairList<Dim>& pairs,
 {
     role.resize(points.fluid);
     const auto atSurface = [&](Index j) { return corrections.lambda[j] < surfaceThreshold<Dim>(); };
+    parallelFor(points.water, [&](Index i) { role[i] = atSurface(i) ? SurfaceRole::surface : SurfaceRole::inner; });
+    // The few rows of surface particles name all that are near them. Whoever writes writes the same.
     parallelForDynamic(points.water, [&](Index i) {
-        role[i] = SurfaceRole::inner;
-        if (atSurface(i)) {
-            role[i] = SurfaceRole::surface;
-            return;
-        }
+        if (!atSurface(i)) return;
         pairs.forWater(i, [&](const auto& pair) {
-            if (atSurface(pair.j)) role[i] = SurfaceRole::near;
+            if (!atSurface(pair.j))
+                std::atomic_ref(role[points.owner[pair.j]]).store(SurfaceRole::near, std::memory_order_relaxed);
         });
     });
     points.refresh(role);

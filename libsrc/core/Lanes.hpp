@@ -24,6 +24,16 @@ inline Lanes loadLanes(const Real* from)
     return a;
 }
 
+/// Four numbers from each of two places.
+inline Lanes loadLanes(const Real* low, const Real* high)
+{
+    using Half = Real __attribute__((vector_size(kLanes / 2 * sizeof(Real))));
+    Half a, b;
+    std::memcpy(&a, low, sizeof a);
+    std::memcpy(&b, high, sizeof b);
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
 inline Lanes loadLanes(const float* from)
 {
     using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
@@ -89,6 +99,20 @@ inline Real sumOf(const Lanes& a)
         b[r + 4] = __builtin_shufflevector(a[r], a[r + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
     a = b;
+}
+
+/// Four numbers each of particle l and l + 4 become four numbers of eight particles.
+[[gnu::always_inline]] inline void transpose(std::array<Lanes, kLanes / 2>& a)
+{
+    std::array<Lanes, kLanes / 2> b;
+    for (int r = 0; r < 4; r += 2) {   // pairs
+        b[r] = __builtin_shufflevector(a[r], a[r + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        b[r + 1] = __builtin_shufflevector(a[r], a[r + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int r = 0; r < 2; ++r) {      // quarters
+        a[r] = __builtin_shufflevector(b[r], b[r + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        a[r + 2] = __builtin_shufflevector(b[r], b[r + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
 }
 
 }  // namespace isph

@@ -2,16 +2,16 @@
 // Numbers of particles side by side in memory, read for eight particles at a time.
 #pragma once
 #include "core/Lanes.hpp"
-
-#include <memory>
+#include "core/LargeArray.hpp"
 
 namespace isph {
 
-/// `Size` numbers, a multiple of kLanes, of every particle. It refers to the memory of a RecordStore.
+/// `Size` numbers, four or a multiple of kLanes, of every particle. It refers to the memory of a RecordStore.
 template <int Size>
 class Records {
 public:
-    static_assert(Size % kLanes == 0);
+    static constexpr int kHalf = kLanes / 2;
+    static_assert(Size == kHalf || Size % kLanes == 0);
     explicit Records(Real* first) : first_(first) {}
 
     Real* operator[](Index i) const { return first_ + static_cast<std::ptrdiff_t>(Size) * i; }
@@ -20,8 +20,13 @@ public:
     template <int Numbers = Size>
     [[gnu::always_inline]] std::array<Lanes, Numbers> gather(const Index* particle) const
     {
-        static_assert(Numbers % kLanes == 0 && Numbers <= Size);
+        static_assert((Numbers == Size || Numbers % kLanes == 0) && Numbers <= Size);
         std::array<Lanes, Numbers> all;
+        if constexpr (Numbers == kHalf) {
+            for (int l = 0; l < kHalf; ++l) all[l] = loadLanes((*this)[particle[l]], (*this)[particle[l + kHalf]]);
+            transpose(all);
+            return all;
+        }
         for (int part = 0; part < Numbers; part += kLanes) {
             std::array<Lanes, kLanes> block;
             for (int l = 0; l < kLanes; ++l) block[l] = loadLanes((*this)[particle[l]] + part);
@@ -49,23 +54,21 @@ public:
     Real* numbers(std::size_t n)
     {
         const std::size_t lines = n / kLanes + 1;
-        if (size_ < lines) {
+        if (lines_.size() < lines) {
             release();
-            size_ = lines + lines / 32;
-            lines_.reset(new Line[size_]);
+            lines_.resize(lines + lines / 32);
         }
         return lines_[0].number.data();
     }
 
     /// Gives the memory back until the next use.
-    void release() { lines_.reset(), size_ = 0; }
+    void release() { lines_ = LargeArray<Line>(); }
 
 private:
     struct alignas(64) Line {
         std::array<Real, kLanes> number;
     };
-    std::unique_ptr<Line[]> lines_;
-    std::size_t size_ = 0;
+    LargeArray<Line> lines_;
 };
 
 }  // namespace isph

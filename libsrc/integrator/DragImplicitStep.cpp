@@ -110,7 +110,7 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
         rate = std::min(1 / scheme.relaxationTime, scheme.speedFactor * U / scheme.spacing);
     if (scheme.stabilisation == Stabilisation::constantAlpha) rate = scheme.alpha / medium.dt;
     divergence_.resize(n);
-    std::vector<Real> error(n, 0);
+    LargeArray<Real> error(n);
     const auto& c = fields_.corrections;
     const auto& solids = fields_.soil.solidsDivergence;
     parallelFor(n, [&](Index i) {
@@ -122,7 +122,7 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
         const bool acts = surplus > 0 || pullsInSoil || role == SurfaceRole::inner || lambda > kFullSupport;
         const Real wanted = acts ? medium.porosity(i) * sqr(medium.damping(i)) * rate * surplus : 0;
         divergence_[i] = wanted - (solids.empty() ? 0 : solids[i]);
-        if (role == SurfaceRole::inner) error[i] = sqr(surplus);
+        error[i] = role == SurfaceRole::inner ? sqr(surplus) : 0;
     });
     report.densityError = std::sqrt(orderedSum(n, [&](Index i) { return error[i]; }) / std::max<Index>(1, n));
 }

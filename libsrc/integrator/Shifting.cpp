@@ -121,14 +121,14 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
     kernel.evaluate(Span<const Real>(&qLattice, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
     const Real wLattice = w * kernel.normalisation(Dim);   // W(s_i) h_i^D
     const auto neighbours = neighboursOf(fields, water);
-    std::vector<Real> divergence(n, 0);
+    LargeArray<Real> divergence(n);
     parallelForDynamic(n, [&](Index i) {
         const Real h = fields.points.h[i];
         ShiftSum<Dim> sum{neighbours[i], wLattice / (Dim == 2 ? sqr(h) : cube(h))};
         fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) { sum.add(pairs, neighbours.gather(pairs.j)); });
         const Mat<Dim> L = fields.corrections.Lwater(i);   // symmetric
         const Mat<Dim> gradU = sum.gradU.total() * L;
-        if (fields.role[i] == SurfaceRole::inner) divergence[i] = sqr(dt * trace(gradU));
+        divergence[i] = fields.role[i] == SurfaceRole::inner ? sqr(dt * trace(gradU)) : 0;
         const bool inSoil = !fields.soil.share.empty() && fields.soil.share[i] > kSoilShare;
         if (scheme.shifting == 0 || fields.corrections.lambda[i] < kLeastSupport * Dim || inSoil) return;
         const Vec<Dim> step = shiftOf(scheme, dt, fields, sum, i);
@@ -145,9 +145,15 @@ void collide(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, Span<cons
              Span<const Real> wallDepth, Water<Dim>& water)
 {
     const Points<Dim>& points = fields.points;
-    std::vector<Vec<Dim>> u(water.u);
-    u.resize(points.fluid);
-    points.refresh(u);
+    const auto before = fields.pairs.template records<4>();   // velocities
+    parallelFor(points.fluid, [&](Index k) {
+        for (int d = 0; d < Dim; ++d) before[k][d] = water.u[points.owner[k]][d];
+    });
+    const auto u = [&](Index k) {
+        Vec<Dim> velocity;
+        for (int d = 0; d < Dim; ++d) velocity[d] = before[k][d];
+        return velocity;
+    };
     const Real farthest = std::max(kSurfaceCollision, scheme.collisionDistance);
     parallelForDynamic(points.water, [&](Index i) {
         const Real spacing = scheme.spacing * points.h[i] / scheme.h0;
@@ -158,7 +164,7 @@ void collide(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, Span<cons
         if (near) fields.pairs.forWater(i, [&](const auto& pair) {
             const bool both = surface && fields.role[pair.j] == SurfaceRole::surface;
             const Real reach = (both ? kSurfaceCollision : scheme.collisionDistance) * spacing;
-            const Real r2 = normSqr(pair.x_ij), approach = dot(u[i] - u[pair.j], pair.x_ij);
+            const Real r2 = normSqr(pair.x_ij), approach = dot(u(i) - u(pair.j), pair.x_ij);
             if (r2 < reach * reach && approach < 0 && r2 > 0)
                 change -= (Real(0.5) * approach / r2) * pair.x_ij;
         });
@@ -166,7 +172,7 @@ void collide(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, Span<cons
             const Index k = pair.j - points.fluid;
             const Real height = dot(pair.x_ij, wallNormal[k]) - wallDepth[k];   // above the wall surface
             const Real beside = normSqr(pair.x_ij - dot(pair.x_ij, wallNormal[k]) * wallNormal[k]);
-            const Real approach = dot(u[i] + change, wallNormal[k]);
+            const Real approach = dot(u(i) + change, wallNormal[k]);
             const Real wallReach = (scheme.collisionDistance - Real(0.25)) * scheme.spacing;
             if (wallDepth[k] < scheme.spacing && height < wallReach && approach < 0
                 && beside < sqr(Real(0.75) * scheme.spacing))

@@ -213,9 +213,10 @@ void PairList<Dim>::fillBlock(Index b, RowSearch& search)
             const auto room = static_cast<std::size_t>(kRoom * rows * static_cast<Real>(end)) + search.size();
             block.j.reserve(room), block.W.reserve(room), block.slope.reserve(room);
         }
-        block.j.insert(block.j.end(), search.j(), search.j() + search.size());
-        block.W.insert(block.W.end(), search.W(), search.W() + search.size());
-        block.slope.insert(block.slope.end(), search.slope(), search.slope() + search.size());
+        block.j.resize(end), block.W.resize(end), block.slope.resize(end);
+        std::copy_n(search.j(), search.size(), block.j.begin() + begin);
+        std::copy_n(search.W(), search.size(), block.W.begin() + begin);
+        std::copy_n(search.slope(), search.size(), block.slope.begin() + begin);
         row_[i].start = static_cast<Index>(begin);
         row_[i].wallStart = static_cast<Index>(begin) + search.water();
         row_[i].end = static_cast<Index>(end);

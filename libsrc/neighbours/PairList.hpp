@@ -39,42 +39,28 @@ public:
     template <class F>
     void forAll(Index i, F&& f) const { loop(i, row_[i].start, row_[i].end, f); }
 
-    /// f(batch) over groups of water partners of i, or of wall partners: the same pairs in the same order.
+    /// f(batch) over groups of water partners of i: the same pairs in the same order.
     template <class F>
     void forWaterBatches(Index i, F&& f) const { loopBatches(i, row_[i].start, row_[i].wallStart, f); }
-    template <class F>
-    void forWallBatches(Index i, F&& f) const { loopBatches(i, row_[i].wallStart, row_[i].end, f); }
 
-    /// f(pairs) for eight water partners of i at a time, in order.
+    /// f(pairs) for eight water partners of i at a time, in order, or for wall partners.
     template <class F>
-    void forWaterLanes(Index i, F&& f) const
-    {
-        const Block& block = block_[i / kBlockRows];
-        const Index end = row_[i].wallStart;
-        std::array<Index, kLanes> lastJ;
-        std::array<float, kLanes> lastW{}, lastSlope{};
-        for (Index k = row_[i].start; k < end; k += kLanes) {
-            const Index* j = &block.j[k];
-            const float *W = &block.W[k], *slope = &block.slope[k];
-            if (end - k < kLanes) {
-                lastJ.fill(i);
-                for (Index l = 0; l < end - k; ++l) lastJ[l] = j[l], lastW[l] = W[l], lastSlope[l] = slope[l];
-                j = lastJ.data(), W = lastW.data(), slope = lastSlope.data();
-            }
-            // f is called at one place, so that it is inlined.
-            f(PairLanes{j, loadLanes(W) * unitW_, loadLanes(slope) * unitSlope_});
-        }
-    }
+    void forWaterLanes(Index i, F&& f) const { loopLanes(i, row_[i].start, row_[i].wallStart, f); }
+    template <class F>
+    void forWallLanes(Index i, F&& f) const { loopLanes(i, row_[i].wallStart, row_[i].end, f); }
 
     /// Room for what one pass over the pairs wants to know of every partner; valid until the next call.
     template <int Size>
     Records<Size> records() const { return store_.template records<Size>(points_->fluid); }
+    /// The same of walls, too.
+    template <int Size>
+    Records<Size> recordsOfAll() const { return store_.template records<Size>(points_->size()); }
     /// Gives their memory back until the next call of records() or build().
     void releaseRecords() const { store_.release(); }
     /// Gives the memory of the pairs back until the next build(); what they reached stays known.
     void release()
     {
-        block_ = {}, row_ = {};
+        block_ = std::vector<Block>(), row_ = LargeArray<Row>();
         store_.release();
     }
     /// No partner of i is nearer than this [m].
@@ -106,8 +92,8 @@ private:
     /// Pairs of kBlockRows rows, kernel and slope in units made of the largest h: of the same digits in water of
     /// any size.
     struct Block {
-        std::vector<Index> j;
-        std::vector<float> W, slope;
+        LargeArray<Index> j;
+        LargeArray<float> W, slope;
     };
     class RowSearch;
     static constexpr Index kBlockRows = 256;
@@ -135,6 +121,24 @@ private:
     {
         const auto [j, W, slope, x, xi] = rowOf(i);
         for (Index k = from; k < to; ++k) f(Pair{j[k], W[k] * unitW_, slope[k] * unitSlope_, xi - x[j[k]]});
+    }
+    template <class F>
+    void loopLanes(Index i, Index from, Index end, F&& f) const
+    {
+        const Block& block = block_[i / kBlockRows];
+        std::array<Index, kLanes> lastJ;
+        std::array<float, kLanes> lastW{}, lastSlope{};
+        for (Index k = from; k < end; k += kLanes) {
+            const Index* j = &block.j[k];
+            const float *W = &block.W[k], *slope = &block.slope[k];
+            if (end - k < kLanes) {
+                lastJ.fill(i);
+                for (Index l = 0; l < end - k; ++l) lastJ[l] = j[l], lastW[l] = W[l], lastSlope[l] = slope[l];
+                j = lastJ.data(), W = lastW.data(), slope = lastSlope.data();
+            }
+            // f is called at one place, so that it is inlined.
+            f(PairLanes{j, loadLanes(W) * unitW_, loadLanes(slope) * unitSlope_});
+        }
     }
     template <class F>
     void loopBatches(Index i, Index from, Index to, F&& f) const
@@ -168,7 +172,7 @@ private:
     Real* cellH_ = nullptr;            ///< their h
     Real support_ = 0, sigma_ = 0, selfW0_ = 0, largestH_ = 0;
     Real unitW_ = 1, unitSlope_ = 1;
-    std::vector<Row> row_;
+    LargeArray<Row> row_;
     std::vector<Block> block_;
     mutable RecordStore store_;
 };

@@ -22,25 +22,31 @@ inline bool exceeds(Mat<3> A, Real e)
     return A[0][0] > 0 && A[0][0] * A[1][1] > A[0][1] * A[1][0] && determinant(A) > 0;
 }
 
+/// What a pair asks of its partner.
+template <int Dim>
+struct Partner {
+    enum Place : int { x = 0, volume = Dim, size = 4 };
+};
+
 /// Sums over the pairs of a row, those of every lane apart.
 template <int Dim>
 struct Moments {
+    using P = Partner<Dim>;
+    const Real* own;
     std::array<std::array<Lanes, Dim>, Dim> outer{};   ///< sum V slope x_ij x_ij, its lower half
     std::array<Lanes, Dim> side{};                     ///< sum V slope x_ij
     Lanes fill{};                                      ///< sum V W
 
-    void add(const PairBatch<Dim>& batch, const BatchValues& volume)
+    void add(const PairLanes& pairs, const std::array<Lanes, P::size>& of)
     {
-        for (Index k = 0; k < batch.size; k += kLanes) {
-            const Lanes V = volume.lanes(k), weight = V * loadLanes(&batch.slope[k]);
-            fill += V * loadLanes(&batch.W[k]);
-            std::array<Lanes, Dim> x;
-            for (int r = 0; r < Dim; ++r) {
-                x[r] = loadLanes(&batch.x[r][k]);
-                const Lanes weighted = weight * x[r];
-                side[r] += weighted;
-                for (int c = 0; c <= r; ++c) outer[r][c] += weighted * x[c];
-            }
+        const Lanes weight = of[P::volume] * pairs.slope;
+        fill += of[P::volume] * pairs.W;
+        std::array<Lanes, Dim> x;
+        for (int r = 0; r < Dim; ++r) {
+            x[r] = own[P::x + r] - of[P::x + r];
+            const Lanes weighted = weight * x[r];
+            side[r] += weighted;
+            for (int c = 0; c <= r; ++c) outer[r][c] += weighted * x[c];
         }
     }
     /// A of (2.9)
@@ -58,6 +64,19 @@ struct Moments {
         return T;
     }
 };
+
+template <int Dim>
+Records<Partner<Dim>::size> partnersOf(const Points<Dim>& points, const PairList<Dim>& pairs)
+{
+    using P = Partner<Dim>;
+    const auto partners = pairs.template recordsOfAll<P::size>();
+    parallelFor(points.size(), [&](Index k) {
+        Real* to = partners[k];
+        for (int d = 0; d < Dim; ++d) to[P::x + d] = points.x[k][d];
+        to[P::volume] = points.volume[k];
+    });
+    return partners;
+}
 }  // namespace
 
 template <int Dim>
@@ -72,22 +91,19 @@ Mat<Dim> blendedInverse(const Mat<Dim>& A)
 
 /// Returns whether the particle is a special one.
 template <int Dim>
-bool Corrections<Dim>::computeRow(const Points<Dim>& points, const PairList<Dim>& pairs, Index i, Special& special)
+bool Corrections<Dim>::computeRow(const Points<Dim>& points, const PairList<Dim>& pairs, const Records<4>& partners,
+                                  Index i, Special& special)
 {
-    Moments<Dim> moments;
-    const auto add = [&](const auto& batch) {
-        BatchValues volume;
-        volume.gather(batch, [&](Index j) { return points.volume[j]; });
-        moments.add(batch, volume);
-    };
-    pairs.forWaterBatches(i, add);
+    Moments<Dim> moments{partners[i]};
+    const auto add = [&](const PairLanes& eight) { moments.add(eight, partners.gather(eight.j)); };
+    pairs.forWaterLanes(i, add);
     Mat<Dim> A = moments.matrix();
     Mat<Dim> inverseA = blendedInverse(A);
     special.Lwater = inverseA;
     lambdaWater[i] = trace(A);
     const bool walls = pairs.wallNeighbours(i) > 0;
     if (walls) {
-        pairs.forWallBatches(i, add);
+        pairs.forWallLanes(i, add);
         A = moments.matrix();
         inverseA = blendedInverse(A);
     }
@@ -106,16 +122,17 @@ void Corrections<Dim>::compute(const Points<Dim>& points, const PairList<Dim>& p
     const Index n = points.water;
     lambda.resize(points.fluid), lambdaWater.resize(points.fluid);
     filling.resize(n), L.resize(n), lopsided.resize(n), place_.resize(n);
+    const auto partners = partnersOf(points, pairs);
     parallelForDynamic(n, [&](Index i) {
         Special special;   // the few are computed again when their number is known
-        place_[i] = pairs.wallNeighbours(i) > 0 || computeRow(points, pairs, i, special) ? 0 : -1;
+        place_[i] = pairs.wallNeighbours(i) > 0 || computeRow(points, pairs, partners, i, special) ? 0 : -1;
     });
     Index count = 0;
     for (Index& place : place_)
         if (place >= 0) place = count++;
     special_.resize(count);
     parallelForDynamic(n, [&](Index i) {
-        if (place_[i] >= 0) computeRow(points, pairs, i, special_[place_[i]]);
+        if (place_[i] >= 0) computeRow(points, pairs, partners, i, special_[place_[i]]);
     });
     points.refresh(lambda), points.refresh(lambdaWater);
 }

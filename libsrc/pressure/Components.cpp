@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pressure/Components.hpp"
 
+#include "core/Parallel.hpp"
+
+#include <atomic>
+
 namespace isph {
+
+namespace {
+constexpr Index kSerialRows = 8192;   // a single thread sweeps as many before another wakes
+}
 
 const FloatingComponents& ComponentFinder::find(const SymmetricMatrix& matrix,
                                                 Span<const char> anchored)
@@ -10,24 +18,33 @@ const FloatingComponents& ComponentFinder::find(const SymmetricMatrix& matrix,
     floating_.start.assign(1, 0);
     floating_.row.clear();
     reached_.resize(n);
-    for (Index i = 0; i < n; ++i) reached_[i] = anchored[i] != 0;
-    // Two sweeps reach nearly all rows, most of them by the first or second neighbour.
-    for (Index i = n; i-- > 0;) sweep(matrix, i);
-    for (Index i = 0; i < n; ++i) sweep(matrix, i);
+    parallelFor(n, [&](Index i) { reached_[i] = anchored[i] != 0; });
+    // Two sweeps reach nearly all rows, most of them by the first or second neighbour. Threads sweep runs of rows of
+    // their own first; which rows that reaches depends on them, what the sweeps and floods reach in the end does not.
+    const Index runs = n < kSerialRows ? 0 : threadCount();
+#pragma omp parallel for schedule(static, 1)
+    for (Index run = 0; run < runs; ++run)
+        sweepTwice(matrix, n * PairIndex{run} / runs, n * (PairIndex{run} + 1) / runs);
+    sweepTwice(matrix, 0, n);
     for (Index i = 0; i < n; ++i)
         if (!reached_[i]) flood(matrix, i);
     return floating_;
 }
 
+void ComponentFinder::sweepTwice(const SymmetricMatrix& matrix, PairIndex first, PairIndex last)
+{
+    for (PairIndex i = last; i-- > first;) sweep(matrix, static_cast<Index>(i));
+    for (PairIndex i = first; i < last; ++i) sweep(matrix, static_cast<Index>(i));
+}
+
 /// Row i is reached if one of its neighbours is.
 void ComponentFinder::sweep(const SymmetricMatrix& matrix, Index i)
 {
-    if (reached_[i]) return;
+    const auto reached = [&](Index row) { return std::atomic_ref(reached_[row]); };
+    if (reached(i).load(std::memory_order_relaxed)) return;
     for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1]; ++k)
-        if (reached_[matrix.column[k]] == 1 && matrix.offDiagonal[k] != 0) {
-            reached_[i] = 1;
-            return;
-        }
+        if (reached(matrix.column[k]).load(std::memory_order_relaxed) == 1 && matrix.offDiagonal[k] != 0)
+            return reached(i).store(1, std::memory_order_relaxed);
 }
 
 /// Gathers the rows connected to the seed that no sweep has reached; they float if none of them

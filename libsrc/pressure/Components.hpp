@@ -28,6 +28,7 @@ public:
     const FloatingComponents& find(const SymmetricMatrix& matrix, Span<const char> anchored);
 
 private:
+    void sweepTwice(const SymmetricMatrix& matrix, PairIndex first, PairIndex last);
     void sweep(const SymmetricMatrix& matrix, Index i);
     void flood(const SymmetricMatrix& matrix, Index seed);
 

@@ -21,11 +21,11 @@ void put(std::ofstream& out, Span<const T> values)
               static_cast<std::streamsize>(values.size_bytes()));
 }
 
-template <class T>
-void take(std::ifstream& in, std::vector<T>& values, std::size_t n)
+template <class Array>
+void take(std::ifstream& in, Array& values, std::size_t n)
 {
     values.resize(n);
-    in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(n * sizeof(T)));
+    in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(n * sizeof(values[0])));
 }
 
 [[noreturn]] void fail(const std::filesystem::path& file, const char* what)

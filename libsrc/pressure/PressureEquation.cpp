@@ -126,11 +126,11 @@ constexpr Real kRoom = 1.02;
 
 /// Resizes without a copy: where the room is too small it is given back first.
 template <class Value>
-void resizeEmpty(std::vector<Value>& values, PairIndex n)
+void resizeEmpty(LargeArray<Value>& values, PairIndex n)
 {
     const auto size = static_cast<std::size_t>(n);
     if (size > values.capacity()) {
-        values = {};
+        values = LargeArray<Value>();
         values.reserve(static_cast<std::size_t>(kRoom * static_cast<Real>(size)));
     }
     values.resize(size);
@@ -138,7 +138,8 @@ void resizeEmpty(std::vector<Value>& values, PairIndex n)
 
 void countEntries(const PressureRows& rows, const auto& pairs, const auto& role, SymmetricMatrix& matrix)
 {
-    matrix.rowStart.assign(rows.size() + 1, 0);
+    matrix.rowStart.resize(rows.size() + 1);
+    matrix.rowStart[0] = 0;
     parallelForDynamic(rows.size(), [&](Index r) {
         const Index i = rows.particle[r];
         PairIndex entries = pairs.waterNeighbours(i);
@@ -211,7 +212,7 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
     using P = Partner<Dim>;
     countEntries(rows, pairs, role, matrix);
     rhs.resize(rows.size());
-    anchored.assign(rows.size(), 0);
+    anchored.resize(rows.size());
     const auto partners = partnersOf<Dim>(points, pairs, rows, source.v);
     parallelForDynamic(rows.size(), [&](Index r) {
         const Index i = rows.particle[r];

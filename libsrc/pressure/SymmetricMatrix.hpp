@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The matrix of the pressure equation: symmetric, positive definite, off-diagonals <= 0.
 #pragma once
+#include "core/LargeArray.hpp"
 #include "core/Types.hpp"
 
 #include <vector>
@@ -11,9 +12,9 @@ namespace isph {
 /// keep something from step to step.
 struct RowPlaces {
     int dimension = 0;             ///< 0: not known
-    std::vector<Index> particle;   ///< number of the row's particle; ascending
-    std::vector<Real> coordinate;  ///< `dimension` values a row
-    std::vector<Real> spacing;     ///< distance between neighbours, one value a row; larger in soil
+    LargeArray<Index> particle;   ///< number of the row's particle; ascending
+    LargeArray<Real> coordinate;  ///< `dimension` values a row
+    LargeArray<Real> spacing;     ///< distance between neighbours, one value a row; larger in soil
 
     bool known() const { return dimension > 0; }
 };
@@ -21,10 +22,10 @@ struct RowPlaces {
 /// Rows hold both halves of the off-diagonal entries, columns ascending; the diagonal stands apart.
 template <class Weight>
 struct RowMatrix {
-    std::vector<PairIndex> rowStart{0};  ///< size()+1
-    std::vector<Index> column;
-    std::vector<Weight> offDiagonal;
-    std::vector<Real> diagonal;
+    LargeArray<PairIndex> rowStart{0};  ///< size()+1
+    LargeArray<Index> column;
+    LargeArray<Weight> offDiagonal;
+    LargeArray<Real> diagonal;
     RowPlaces places{};  ///< optional; whoever assembles the matrix fills it or leaves it unknown
 
     std::size_t size() const { return diagonal.size(); }

@@ -6,6 +6,7 @@
 #include "RunLog.hpp"
 #include "SceneFiles.hpp"
 #include "case/Time.hpp"
+#include "core/LargeArray.hpp"
 #include "core/Log.hpp"
 #include "erosion/Erosion.hpp"
 #include "functionObjects/FunctionObjectList.hpp"
@@ -138,7 +139,8 @@ private:
         sort();
         step_->release(), scene_.solver->release();
         step_->look();
-        step_->rest();   // makes room for the files
+        step_->rest();
+        returnFreeMemory();   // makes room for the files
         const Real spacing = scene_.scheme.spacing;
         std::map<std::string, ParticleFile> files{{"water", waterFile(scene_, step_->fields())}};
         if (scene_.walls.size() > 0) files.emplace("walls", fileOf(scene_.walls, spacing));

@@ -28,14 +28,14 @@ bool staysOut(const LevelMatrix<Weight>& matrix, const RowSums& sums, Index i)
 }
 
 /// The lowest row of i's piece; paths are halved on the way.
-Index find(std::vector<Index>& root, Index i)
+Index find(LargeArray<Index>& root, Index i)
 {
     while (root[i] != i) i = root[i] = root[root[i]];
     return i;
 }
 }  // namespace
 
-void cellKeys(const RowPlaces& places, std::vector<CellKey>& keys)
+void cellKeys(const RowPlaces& places, LargeArray<CellKey>& keys)
 {
     const std::size_t n = places.spacing.size();
     const int dim = places.dimension;

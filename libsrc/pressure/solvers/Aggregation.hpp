@@ -10,8 +10,8 @@ namespace isph {
 
 /// What grouping and the coarse matrix need to know of each row.
 struct RowSums {
-    std::vector<Real> excess;   ///< diagonal + sum of off-diagonals: what ties the row to p = 0
-    std::vector<Real> largest;  ///< largest |a_ij| of the row
+    LargeArray<Real> excess;   ///< diagonal + sum of off-diagonals: what ties the row to p = 0
+    LargeArray<Real> largest;  ///< largest |a_ij| of the row
 
     void resize(std::size_t n) { excess.resize(n), largest.resize(n); }
 };
@@ -21,7 +21,7 @@ struct RowSums {
 using CellKey = std::uint64_t;
 
 /// Keys from places: cells of two spacings, of the row's own spacing rounded to powers of sqrt(2).
-void cellKeys(const RowPlaces& places, std::vector<CellKey>& keys);
+void cellKeys(const RowPlaces& places, LargeArray<CellKey>& keys);
 
 /// The key in cells of twice the edge.
 CellKey coarserKey(CellKey key);
@@ -29,8 +29,8 @@ CellKey coarserKey(CellKey key);
 /// Groups of rows, numbered in the order of their first rows.
 class Aggregation {
 public:
-    std::vector<Index> group;  ///< of every row; -1: none, the smoother alone solves the row
-    std::vector<Index> start, member;  ///< rows of each group, ascending
+    LargeArray<Index> group;  ///< of every row; -1: none, the smoother alone solves the row
+    LargeArray<Index> start, member;  ///< rows of each group, ascending
 
     std::size_t size() const { return start.empty() ? 0 : start.size() - 1; }
     Span<const Index> operator[](std::size_t g) const
@@ -57,8 +57,8 @@ private:
     void sortByKey(Span<const CellKey> keys);
     void number();
 
-    std::vector<Index> root_;         ///< any one row of the piece; -1: the row stays out
-    std::vector<Index> head_, next_;  ///< rows of each bucket of keys, ascending; -1: the end
+    LargeArray<Index> root_;         ///< any one row of the piece; -1: the row stays out
+    LargeArray<Index> head_, next_;  ///< rows of each bucket of keys, ascending; -1: the end
 };
 
 }  // namespace isph

@@ -44,8 +44,8 @@ struct CholmodFactor::State {
     cholmod_factor* factor = nullptr;
     bool numeric = false;  ///< the factor holds numbers, not only the pattern
     cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;  ///< kept by CHOLMOD between solves
-    std::vector<PairIndex> rowStart;                         ///< pattern that was analysed
-    std::vector<Index> column;
+    LargeArray<PairIndex> rowStart;                         ///< pattern that was analysed
+    LargeArray<Index> column;
     std::vector<int> ordering;  ///< found anew last, for freshFill entries of the factor
     double freshFill = 0;
     std::vector<int> start, row;  ///< lower half with diagonal, by columns, as CHOLMOD wants it

@@ -64,8 +64,8 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
 {
     part.slot.assign(groups.size() + 1, -1);
     const bool leads = &part == &parts_.front();
-    std::vector<Index>& columns = leads ? coarse.column : part.columns;
-    std::vector<Real>& values = leads ? coarse.offDiagonal : part.values;
+    LargeArray<Index>& columns = leads ? coarse.column : part.columns;
+    LargeArray<Real>& values = leads ? coarse.offDiagonal : part.values;
     columns.clear(), values.clear();
     const std::size_t rows = leads ? groups.size() : part.last - part.first;
     // Coarse rows are the shorter ones.

@@ -22,11 +22,11 @@ private:
     /// `value`, whose first two places are its diagonal and what ties it to rows without a group.
     struct Part {
         Index first = 0, last = 0;
-        std::vector<Index> slot;  ///< of group + 1 in the row at hand; less than its base: none yet
-        std::vector<Index> column;
-        std::vector<Real> value;
-        std::vector<Index> columns;  ///< of all rows; the first part's go into the coarse matrix
-        std::vector<Real> values;
+        LargeArray<Index> slot;  ///< of group + 1 in the row at hand; less than its base: none yet
+        LargeArray<Index> column;
+        LargeArray<Real> value;
+        LargeArray<Index> columns;  ///< of all rows; the first part's go into the coarse matrix
+        LargeArray<Real> values;
     };
     template <class Weight>
     Index sumRow(const LevelMatrix<Weight>& fine, const Aggregation& groups, Index g, Index base,

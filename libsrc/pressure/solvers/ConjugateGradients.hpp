@@ -35,7 +35,7 @@ private:
     /// As run() without new starts: the iterations used, r measured at the end.
     int descend(Solve& solve, Preconditioner& preconditioner, int iterations);
 
-    std::vector<Real> z_, p_, q_;
+    LargeArray<Real> z_, p_, q_;
 };
 
 }  // namespace isph

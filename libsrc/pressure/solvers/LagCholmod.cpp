@@ -16,7 +16,7 @@ bool KeptFactor::factorise(const SymmetricMatrix& matrix)
     r_.resize(rows_), z_.resize(rows_);
     place_.reserve(rows_), inverseDiagonal_.reserve(rows_);
     place_.clear();
-    const std::vector<Index>& particle = matrix.places.particle;
+    const LargeArray<Index>& particle = matrix.places.particle;
     rowOfParticle_.assign(particle.empty() ? 0 : particle.back() + 1, -1);
     for (std::size_t row = 0; row < particle.size(); ++row)
         rowOfParticle_[particle[row]] = static_cast<Index>(row);
@@ -26,7 +26,7 @@ bool KeptFactor::factorise(const SymmetricMatrix& matrix)
 bool KeptFactor::serves(const SymmetricMatrix& matrix)
 {
     if (!factor_.holds(rows_)) return false;
-    const std::vector<Index>& particle = matrix.places.particle;
+    const LargeArray<Index>& particle = matrix.places.particle;
     place_.clear();
     if (particle.empty() || rowOfParticle_.empty()) return rows_ == matrix.size();
     const std::size_t n = matrix.size();

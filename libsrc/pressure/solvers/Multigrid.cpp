@@ -124,7 +124,7 @@ void Multigrid::addLevel(const LevelMatrix<Weight>& matrix, const Level& level)
     if (coarse.sums.excess.empty()) coarse.begin();
     builder_.build(matrix, level.sums, level.groups, coarse.matrix, coarse.sums);
     const std::size_t n = level.groups.size();
-    for (std::vector<Real>* v : {&coarse.r, &coarse.x, &coarse.c, &coarse.d, &coarse.v})
+    for (LargeArray<Real>* v : {&coarse.r, &coarse.x, &coarse.c, &coarse.d, &coarse.v})
         v->resize(n);
     coarse.keys.resize(level.keys.empty() ? 0 : n);
     if (!level.keys.empty())

@@ -34,10 +34,10 @@ private:
     /// What every level has to smooth and to go down.
     struct Level {
         RowSums sums;               ///< while the hierarchy is made
-        std::vector<CellKey> keys;  ///< empty: places are not known
+        LargeArray<CellKey> keys;  ///< empty: places are not known
         Aggregation groups;         ///< unused on the coarsest level
-        std::vector<Real> inverse;  ///< of the smoother, damping included; in the memory of sums
-        std::vector<Real> t;        ///< the same
+        LargeArray<Real> inverse;  ///< of the smoother, damping included; in the memory of sums
+        LargeArray<Real> t;        ///< the same
 
         void begin() { sums.excess.swap(inverse), sums.largest.swap(t); }
         void finish(Span<const Real> diagonal);
@@ -45,7 +45,7 @@ private:
     /// Right-hand side r, solution x, corrections c, d of the two steps, v = A c.
     struct CoarseLevel : Level {
         CoarseMatrix matrix;
-        std::vector<Real> r, x, c, d, v;
+        LargeArray<Real> r, x, c, d, v;
     };
 
     bool sumFine(const SymmetricMatrix& matrix);

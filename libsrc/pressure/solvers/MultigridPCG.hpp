@@ -17,7 +17,7 @@ public:
     {
         multigrid_ = std::make_unique<Multigrid>();
         conjugateGradients_ = {};
-        r_ = {};
+        r_ = LargeArray<Real>();
     }
 
     void rest() override { release(); }
@@ -26,7 +26,7 @@ private:
     SolverControls controls_;
     std::unique_ptr<Multigrid> multigrid_ = std::make_unique<Multigrid>();
     ConjugateGradients conjugateGradients_;
-    std::vector<Real> r_;
+    LargeArray<Real> r_;
 };
 
 }  // namespace isph
