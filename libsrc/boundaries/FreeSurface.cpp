@@ -17,13 +17,16 @@ void findFreeSurface(const Points<Dim>& points, const PairList<Dim>& pairs,
 {
     role.resize(points.fluid);
     const auto atSurface = [&](Index j) { return corrections.lambda[j] < surfaceThreshold<Dim>(); };
-    parallelFor(points.water, [&](Index i) { role[i] = atSurface(i) ? SurfaceRole::surface : SurfaceRole::inner; });
-    // The few rows of surface particles name all that are near them. Whoever writes writes the same.
+    parallelFor(points.water, [&](Index i) {
+        role[i] = atSurface(i) ? SurfaceRole::surface : SurfaceRole::inner;
+    });
+    // The few rows of surface particles name all that are near them; whoever writes writes the same.
     parallelForDynamic(points.water, [&](Index i) {
         if (!atSurface(i)) return;
         pairs.forWater(i, [&](const auto& pair) {
-            if (!atSurface(pair.j))
-                std::atomic_ref(role[points.owner[pair.j]]).store(SurfaceRole::near, std::memory_order_relaxed);
+            if (atSurface(pair.j)) return;
+            const std::atomic_ref partner(role[points.owner[pair.j]]);
+            partner.store(SurfaceRole::near, std::memory_order_relaxed);
         });
     });
     points.refresh(role);

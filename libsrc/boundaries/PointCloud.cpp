@@ -39,12 +39,14 @@ void layPoints(const Water<Dim>& water, Span<const Real> porosity, const WallClo
     const Index n = static_cast<Index>(water.size());
     const std::size_t all = water.size() + static_cast<std::size_t>(points.images()) + walls.size();
     points.water = n;
-    if (points.x.capacity() < all) points.x = std::vector<Vec<Dim>>(), points.owner = std::vector<Index>();   // grown, they would take twice the room
+    if (points.x.capacity() < all)   // grown, they would take twice the room
+        points.x = std::vector<Vec<Dim>>(), points.owner = std::vector<Index>();
     points.x.reserve(all), points.owner.reserve(all);
     points.x.resize(n), points.owner.resize(n);
     parallelFor(n, [&](Index i) { points.x[i] = water.x[i], points.owner[i] = i; });
     if (box.any()) {
-        const Real largestH = orderedMax(n, h0, [&](Index i) { return h0 / root<Dim>(porosity[i]); });
+        const auto h = [&](Index i) { return h0 / root<Dim>(porosity[i]); };
+        const Real largestH = orderedMax(n, h0, h);
         box.requireLength(support * largestH);
         for (Index i = 0; i < n; ++i)
             box.forImages(water.x[i], support * largestH, [&](const Vec<Dim>& shift) {

@@ -12,7 +12,7 @@ namespace isph {
 
 namespace {
 constexpr std::size_t kPage = 4096;
-/// The standard allocator keeps what is smaller itself; of what is larger every array is new to the system.
+/// The standard allocator keeps what is smaller itself; larger ones it asks of the system each time.
 constexpr std::size_t kLeast = std::size_t{32} << 20;
 
 /// A range of addresses that is cut into arrays. Pages that have been touched stay with it.
@@ -21,9 +21,11 @@ public:
     Range()
     {
         // Addresses cost nothing: as many as for twice the memory of the machine.
-        const auto size = 2 * static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-        void* memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-        if (memory == MAP_FAILED) return;   // addresses are limited: all arrays are the standard allocator's
+        const auto pages = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES));
+        const std::size_t size = 2 * pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+        constexpr int fresh = MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE;
+        void* memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, fresh, -1, 0);
+        if (memory == MAP_FAILED) return;   // addresses are limited: the standard allocator has to do
         begin_ = top_ = static_cast<char*>(memory);
         end_ = begin_ + size;
         madvise(begin_, size, MADV_HUGEPAGE);
@@ -31,14 +33,15 @@ public:
 
     bool owns(const void* memory) const { return memory >= begin_ && memory < end_; }
 
-    /// The smallest gap that is large enough, else what follows the last array; null where there is no room.
+    /// The smallest gap that is large enough, else what follows the last array; null: no room.
     void* take(std::size_t bytes)
     {
         const std::size_t size = rounded(bytes);
         const std::lock_guard lock(mutex_);
         auto best = gap_.end();
         for (auto gap = gap_.begin(); gap != gap_.end(); ++gap)
-            if (gap->second >= size && (best == gap_.end() || gap->second < best->second)) best = gap;
+            if (gap->second >= size && (best == gap_.end() || gap->second < best->second))
+                best = gap;
         if (best != gap_.end()) {
             const auto [place, room] = *best;
             gap_.erase(best);
@@ -53,15 +56,8 @@ public:
     {
         const std::lock_guard lock(mutex_);
         auto gap = gap_.emplace(static_cast<char*>(memory), rounded(bytes)).first;
-        if (const auto next = std::next(gap); next != gap_.end() && gap->first + gap->second == next->first) {
-            gap->second += next->second;
-            gap_.erase(next);
-        }
-        if (gap != gap_.begin())
-            if (const auto before = std::prev(gap); before->first + before->second == gap->first) {
-                before->second += gap->second;
-                gap_.erase(gap);
-            }
+        if (const auto next = std::next(gap); next != gap_.end()) join(gap, next);
+        if (gap != gap_.begin()) join(std::prev(gap), gap);
     }
 
     void returnFree()
@@ -74,16 +70,25 @@ public:
     }
 
 private:
+    using Gaps = std::map<char*, std::size_t>;   ///< places and sizes
+
+    /// Makes one gap of two where they touch.
+    void join(Gaps::iterator gap, Gaps::iterator next)
+    {
+        if (gap->first + gap->second != next->first) return;
+        gap->second += next->second;
+        gap_.erase(next);
+    }
     static std::size_t rounded(std::size_t bytes) { return (bytes + kPage - 1) / kPage * kPage; }
 
     char *begin_ = nullptr, *top_ = nullptr, *end_ = nullptr;
-    std::map<char*, std::size_t> gap_;   ///< gaps between arrays and their sizes, no two side by side
+    Gaps gap_;   ///< between arrays, no two side by side
     std::mutex mutex_;
 };
 
 Range& range()
 {
-    static Range& all = *new Range;   // never destroyed: arrays of static storage give their memory back at the very end
+    static Range& all = *new Range;   // never destroyed: static arrays give their memory back late
     return all;
 }
 }  // namespace

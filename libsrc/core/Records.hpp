@@ -6,7 +6,8 @@
 
 namespace isph {
 
-/// `Size` numbers, four or a multiple of kLanes, of every particle. It refers to the memory of a RecordStore.
+/// `Size` numbers, four or a multiple of kLanes, of every particle. It refers to the memory of a
+/// RecordStore.
 template <int Size>
 class Records {
 public:
@@ -23,7 +24,8 @@ public:
         static_assert((Numbers == Size || Numbers % kLanes == 0) && Numbers <= Size);
         std::array<Lanes, Numbers> all;
         if constexpr (Numbers == kHalf) {
-            for (int l = 0; l < kHalf; ++l) all[l] = loadLanes((*this)[particle[l]], (*this)[particle[l + kHalf]]);
+            for (int l = 0; l < kHalf; ++l)
+                all[l] = loadLanes((*this)[particle[l]], (*this)[particle[l + kHalf]]);
             transpose(all);
             return all;
         }

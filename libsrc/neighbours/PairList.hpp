@@ -133,7 +133,8 @@ private:
             const float *W = &block.W[k], *slope = &block.slope[k];
             if (end - k < kLanes) {
                 lastJ.fill(i);
-                for (Index l = 0; l < end - k; ++l) lastJ[l] = j[l], lastW[l] = W[l], lastSlope[l] = slope[l];
+                for (Index l = 0; l < end - k; ++l)
+                    lastJ[l] = j[l], lastW[l] = W[l], lastSlope[l] = slope[l];
                 j = lastJ.data(), W = lastW.data(), slope = lastSlope.data();
             }
             // f is called at one place, so that it is inlined.

@@ -91,8 +91,8 @@ Mat<Dim> blendedInverse(const Mat<Dim>& A)
 
 /// Returns whether the particle is a special one.
 template <int Dim>
-bool Corrections<Dim>::computeRow(const Points<Dim>& points, const PairList<Dim>& pairs, const Records<4>& partners,
-                                  Index i, Special& special)
+bool Corrections<Dim>::computeRow(const Points<Dim>& points, const PairList<Dim>& pairs,
+                                  const Records<4>& partners, Index i, Special& special)
 {
     Moments<Dim> moments{partners[i]};
     const auto add = [&](const PairLanes& eight) { moments.add(eight, partners.gather(eight.j)); };
@@ -125,7 +125,8 @@ void Corrections<Dim>::compute(const Points<Dim>& points, const PairList<Dim>& p
     const auto partners = partnersOf(points, pairs);
     parallelForDynamic(n, [&](Index i) {
         Special special;   // the few are computed again when their number is known
-        place_[i] = pairs.wallNeighbours(i) > 0 || computeRow(points, pairs, partners, i, special) ? 0 : -1;
+        const bool walls = pairs.wallNeighbours(i) > 0;
+        place_[i] = walls || computeRow(points, pairs, partners, i, special) ? 0 : -1;
     });
     Index count = 0;
     for (Index& place : place_)

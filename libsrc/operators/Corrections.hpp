@@ -38,8 +38,8 @@ private:
     struct Special {
         SymMat<Dim> Lwater, seen;
     };
-    bool computeRow(const Points<Dim>& points, const PairList<Dim>& pairs, const Records<4>& partners, Index i,
-                    Special& special);
+    bool computeRow(const Points<Dim>& points, const PairList<Dim>& pairs,
+                    const Records<4>& partners, Index i, Special& special);
 
     std::vector<Index> place_;        ///< of every particle in special_, -1: none
     std::vector<Special> special_;

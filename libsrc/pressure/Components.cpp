@@ -19,8 +19,9 @@ const FloatingComponents& ComponentFinder::find(const SymmetricMatrix& matrix,
     floating_.row.clear();
     reached_.resize(n);
     parallelFor(n, [&](Index i) { reached_[i] = anchored[i] != 0; });
-    // Two sweeps reach nearly all rows, most of them by the first or second neighbour. Threads sweep runs of rows of
-    // their own first; which rows that reaches depends on them, what the sweeps and floods reach in the end does not.
+    // Two sweeps reach nearly all rows, most of them by the first or second neighbour. Threads sweep
+    // runs of rows of their own first; which rows that reaches depends on them, what all sweeps and
+    // floods find in the end does not.
     const Index runs = n < kSerialRows ? 0 : threadCount();
 #pragma omp parallel for schedule(static, 1)
     for (Index run = 0; run < runs; ++run)
@@ -43,7 +44,8 @@ void ComponentFinder::sweep(const SymmetricMatrix& matrix, Index i)
     const auto reached = [&](Index row) { return std::atomic_ref(reached_[row]); };
     if (reached(i).load(std::memory_order_relaxed)) return;
     for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1]; ++k)
-        if (reached(matrix.column[k]).load(std::memory_order_relaxed) == 1 && matrix.offDiagonal[k] != 0)
+        if (matrix.offDiagonal[k] != 0 &&
+            reached(matrix.column[k]).load(std::memory_order_relaxed) == 1)
             return reached(i).store(1, std::memory_order_relaxed);
 }
 

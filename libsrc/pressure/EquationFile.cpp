@@ -25,7 +25,8 @@ template <class Array>
 void take(std::ifstream& in, Array& values, std::size_t n)
 {
     values.resize(n);
-    in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(n * sizeof(values[0])));
+    in.read(reinterpret_cast<char*>(values.data()),
+            static_cast<std::streamsize>(n * sizeof(values[0])));
 }
 
 [[noreturn]] void fail(const std::filesystem::path& file, const char* what)
