@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolverTesting.hpp"
 
+#include "core/Parallel.hpp"
 #include "pressure/Components.hpp"
 
 #include <gtest/gtest.h>
@@ -88,6 +89,28 @@ TEST(ComponentFinder, FindsWhatRelabellingFinds)
         EXPECT_EQ(asSets(finder.find(spray.matrix, spray.anchored)),
                   floatingByRelabelling(spray.matrix, spray.anchored));
     }
+}
+
+TEST(ComponentFinder, FindsTheSameWithAnyNumberOfThreads)
+{
+    // a tank whose surface stands at one end of the rows, drops above it: runs of rows hold no anchor
+    Scene scene(120, 100);
+    std::mt19937 random(7);
+    std::vector<char> there(120 * 100);
+    for (char& t : there) t = random() % 10 < 4;
+    scene.present = [&](int ix, int iy) { return iy < 80 || there[iy * 120 + ix] != 0; };
+    scene.atmosphere = [](int ix, int iy) { return iy == 0 && ix == 0; };
+    const ParticleSystem s = particleSystem(scene);
+    ASSERT_GT(s.matrix.size(), 8192u) << "fewer rows are swept by one thread";
+    const int before = threadCount();
+    for (const int threads : {1, 2, 5}) {
+        setThreadCount(threads);
+        ComponentFinder finder;
+        const FloatingComponents& found = finder.find(s.matrix, s.anchored);
+        EXPECT_GT(found.size(), 10u);
+        EXPECT_EQ(asSets(found), floatingByRelabelling(s.matrix, s.anchored)) << threads;
+    }
+    setThreadCount(before);
 }
 
 TEST(ComponentFinder, FollowsAWindingChannelThatNoSweepFollows)
