@@ -2,7 +2,11 @@
 #include "neighbours/PairList.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#ifdef __AVX512VL__
+#include <immintrin.h>
+#endif
 
 namespace isph {
 
@@ -18,6 +22,27 @@ constexpr Real kRoom = 1.02;
 /// Rows with more places out of order than this share are sorted as a whole, not place by place.
 constexpr Index kNearlySorted = 8;
 constexpr Real kRounding = 1e-6;   // keeps a distance in single precision below the true one
+
+/// Writes k + l for the lanes l of `a` below zero, as far as that is less than `last`, and returns
+/// how many. It may touch kLanes places of `to`.
+Index placesBelowZero(const Lanes& a, Index k, Index last, Index* to)
+{
+#ifdef __AVX512VL__   // compilers do not make this of the loop below
+    const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+    const __m256i place = _mm256_add_epi32(_mm256_set1_epi32(k), lane);
+    const __mmask8 inside = _mm256_cmplt_epi32_mask(place, _mm256_set1_epi32(last));
+    const __mmask8 found = _mm512_mask_cmp_pd_mask(inside, a, Lanes{}, _CMP_LT_OQ);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_maskz_compress_epi32(found, place));
+    return std::popcount(static_cast<unsigned>(found));
+#else
+    Index n = 0;
+    for (Index l = 0; l < kLanes; ++l) {
+        to[n] = k + l;
+        n += (a[l] < 0) & (k + l < last);
+    }
+    return n;
+#endif
+}
 }  // namespace
 
 /// Finds the partners of one particle after the other; its arrays hold the row at hand.
@@ -81,16 +106,13 @@ void PairList<Dim>::RowSearch::near(Index i)
         reserve(n + last - first + kLanes);
         Index* hit = hit_.data();
         for (Index k = first; k < last; k += kLanes) {
-            std::array<Real, kLanes> beyond;   // |x_ij|^2 - (support h_ij)^2
-            for (Index l = 0; l < kLanes; ++l) {
-                Real r2 = 0;
-                for (int d = 0; d < Dim; ++d) r2 += sqr(xi[d] - x[d][k + l]);
-                beyond[l] = k + l < last ? r2 - sqr(half * (hi + h[k + l])) : 1;
+            Lanes beyond{};   // |x_ij|^2 - (support h_ij)^2
+            for (int d = 0; d < Dim; ++d) {
+                const Lanes x_ij = xi[d] - loadLanes(x[d] + k);
+                beyond += x_ij * x_ij;
             }
-            for (Index l = 0; l < kLanes; ++l) {
-                hit[n] = k + l;
-                n += beyond[l] < 0;
-            }
+            const Lanes reach = half * (hi + loadLanes(h + k));
+            n += placesBelowZero(beyond - reach * reach, k, last, hit + n);
         }
         size_ = n;
     });
