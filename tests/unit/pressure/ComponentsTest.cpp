@@ -97,7 +97,7 @@ TEST(ComponentFinder, FindsTheSameWithAnyNumberOfThreads)
     Scene scene(120, 100);
     std::mt19937 random(7);
     std::vector<char> there(120 * 100);
-    for (char& t : there) t = random() % 10 < 4;
+    for (char& t : there) t = random() % 100 < 4;
     scene.present = [&](int ix, int iy) { return iy < 80 || there[iy * 120 + ix] != 0; };
     scene.atmosphere = [](int ix, int iy) { return iy == 0 && ix == 0; };
     const ParticleSystem s = particleSystem(scene);

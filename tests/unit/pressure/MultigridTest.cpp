@@ -31,7 +31,7 @@ RowSums sumsOf(const SymmetricMatrix& a)
 
 Aggregation groupsOf(const SymmetricMatrix& a, Real strength)
 {
-    std::vector<CellKey> keys;
+    LargeArray<CellKey> keys;
     cellKeys(a.places, keys);
     Aggregation groups;
     groups.byCells(levelMatrix(a), sumsOf(a), keys, strength);
@@ -120,7 +120,7 @@ TEST(Aggregation, LeavesLoneRowsAndThoseHeldByTheirDiagonalOut)
     const SymmetricMatrix a = fromDense({{10, -1, 0}, {-1, 1.5, 0}, {0, 0, 2}});
     Aggregation groups;
     groups.byNeighbours(levelMatrix(a), sumsOf(a), 0);
-    EXPECT_EQ(groups.group, (std::vector<Index>{-1, 0, -1}));
+    EXPECT_EQ(groups.group, (LargeArray<Index>{-1, 0, -1}));
 }
 
 TEST(CellKeys, OfCoarserCellsAreHalvedAndKeepTheirGrid)
@@ -129,7 +129,7 @@ TEST(CellKeys, OfCoarserCellsAreHalvedAndKeepTheirGrid)
     places.dimension = 3;
     places.coordinate = {0, 0, 0, 7, 5, 9, 0, 0, 0};
     places.spacing = {1, 1, 2};
-    std::vector<CellKey> keys, coarse;
+    LargeArray<CellKey> keys, coarse;
     cellKeys(places, keys);
     places.coordinate = {0, 0, 0, 3.5, 2.5, 4.5, 0, 0, 0};  // the same rows in cells twice as large
     cellKeys(places, coarse);
