@@ -8,7 +8,9 @@
 namespace isph {
 
 namespace {
-constexpr Real kCarried = 0.75;   // of the water above a particle; with all of it the first row turns over
+// Of what is above a particle beyond the mean; with all of it the first row turns over.
+constexpr Real kCarried = 0.25;
+constexpr Real kLeastThickening = 0.7, kMostThickening = 1.4;   // of the rise: narrow supports
 }
 
 template <int Dim>
@@ -34,48 +36,68 @@ void findFreeSurface(const Points<Dim>& points, const PairList<Dim>& pairs,
 
 FlatSurface latticeSurface(const Kernel& kernel, int dimension, Real hOverSpacing)
 {
-    constexpr Real step = 0.1;   // of a spacing: how far a particle is moved to see lambda change
-    const int m = static_cast<int>(std::ceil(kernel.supportRadius() * hOverSpacing)) + 1;
+    constexpr Real step = 0.1;      // of a spacing: how far a particle is moved to see lambda change
+    constexpr Real strain = 0.01;   // by which rows are stretched
+    const Real reach = kernel.supportRadius() * hOverSpacing / (1 - strain);
+    const int m = static_cast<int>(std::ceil(reach)) + 1;
     const int mz = dimension == 3 ? m : 0;
     const Real scale = kernel.normalisation(dimension) / std::pow(hOverSpacing, dimension);
-    const auto lambda = [&](Real depth) {
+    const auto lambda = [&](Real depth, Real along) {
         Real sum = 0;
         for (int a = -m; a <= m; ++a)
             for (int b = -m; b <= 0; ++b)
                 for (int c = -mz; c <= mz; ++c) {
                     if (a == 0 && b == 0 && c == 0) continue;   // its own place
-                    const Real q = std::sqrt(a * a + sqr(b + depth) + c * c) / hOverSpacing;
+                    const Real r = std::sqrt(sqr(a * along) + sqr(b / along + depth) + c * c);
+                    const Real q = r / hOverSpacing;
                     Real w = 0, slope = 0;
                     kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
                     sum -= slope * sqr(q);
                 }
         return sum * scale;
     };
-    return {lambda(0), (lambda(step) - lambda(0)) / step};
+    const Real flat = lambda(0, 1), rise = (lambda(step, 1) - flat) / step;
+    // Half a spacing above the centres grows by half the strain.
+    const Real thickening = (lambda(0, 1 - strain) - lambda(0, 1 + strain)) / strain;
+    return {flat, rise, std::clamp(thickening, kLeastThickening * rise, kMostThickening * rise)};
 }
 
 template <int Dim>
 void surfacePressure(const FlatSurface& surface, Real spacingOverH, const Points<Dim>& points,
-                     const Corrections<Dim>& corrections, const std::vector<SurfaceRole>& role,
-                     Span<const Vec<Dim>> forceGradient, const Vec<Dim>& force, std::vector<Real>& p)
+                     const PairList<Dim>& pairs, const Corrections<Dim>& corrections,
+                     const std::vector<SurfaceRole>& role, Span<const Vec<Dim>> forceGradient,
+                     const Vec<Dim>& force, std::vector<Real>& p)
 {
-    p.resize(points.water);
-    const Real strongest = norm(force);
+    std::vector<Real> depth(points.fluid), inwards(points.fluid);
     parallelFor(points.water, [&](Index i) {
+        if (role[i] != SurfaceRole::surface) return;
+        depth[i] = corrections.lambda[i] - surface.lambda;
+        inwards[i] = -dot(forceGradient[i] + force, unit(corrections.lopsided[i]));
+    });
+    points.refresh(depth), points.refresh(inwards);
+    p.resize(points.water);
+    parallelForDynamic(points.water, [&](Index i) {
         p[i] = 0;
         if (role[i] != SurfaceRole::surface) return;
-        const Real depth = kCarried * std::max(Real(0), (corrections.lambda[i] - surface.lambda) / surface.rise);
-        const Vec<Dim> gradient = atMost(forceGradient[i], strongest) + force;   // grad p / rho0
-        const Real inwards = std::max(Real(0), -dot(gradient, unit(corrections.lopsided[i])));
-        p[i] = depth * spacingOverH * points.h[i] * inwards;
+        Real weight = pairs.selfW(i);
+        Real meanDepth = weight * depth[i], meanInwards = weight * inwards[i];
+        pairs.forWater(i, [&](const auto& pair) {
+            if (role[pair.j] != SurfaceRole::surface) return;
+            weight += pair.W;
+            meanDepth += pair.W * depth[pair.j], meanInwards += pair.W * inwards[pair.j];
+        });
+        meanDepth /= weight, meanInwards /= weight;
+        const Real rough = kCarried * (depth[i] - meanDepth) / surface.rise;
+        const Real above = Real(0.5) + meanDepth / surface.thickening + rough;
+        p[i] = std::max(Real(0), above) * spacingOverH * points.h[i] * meanInwards;
     });
 }
 
 template void findFreeSurface(const Points<2>&, const PairList<2>&, const Corrections<2>&, std::vector<SurfaceRole>&);
 template void findFreeSurface(const Points<3>&, const PairList<3>&, const Corrections<3>&, std::vector<SurfaceRole>&);
-template void surfacePressure(const FlatSurface&, Real, const Points<2>&, const Corrections<2>&,
+template void surfacePressure(const FlatSurface&, Real, const Points<2>&, const PairList<2>&, const Corrections<2>&,
                               const std::vector<SurfaceRole>&, Span<const Vec<2>>, const Vec<2>&, std::vector<Real>&);
-template void surfacePressure(const FlatSurface&, Real, const Points<3>&, const Corrections<3>&,
+template void surfacePressure(const FlatSurface&, Real, const Points<3>&, const PairList<3>&, const Corrections<3>&,
                               const std::vector<SurfaceRole>&, Span<const Vec<3>>, const Vec<3>&, std::vector<Real>&);
 
 }  // namespace isph

@@ -23,21 +23,23 @@ template <int Dim>
 void findFreeSurface(const Points<Dim>& points, const PairList<Dim>& pairs,
                      const Corrections<Dim>& corrections, std::vector<SurfaceRole>& role);
 
-/// A flat surface of a lattice: lambda of its first row, and how much it rises for a particle of that row
-/// that is moved inwards, by a spacing.
+/// A flat surface of a lattice: lambda of its first row, how much it rises for a particle of that row that is
+/// moved inwards, by a spacing, and how much for all of it where the flow thickens its rows so far that the water
+/// above the centres of the first is a spacing higher.
 struct FlatSurface {
-    Real lambda = 0, rise = 1;
+    Real lambda = 0, rise = 1, thickening = 1;
 };
 
 FlatSurface latticeSurface(const Kernel& kernel, int dimension, Real hOverSpacing);
 
-/// p/rho0 of the surface particles [m2/s2], 0 of the others. The first row is at air pressure; a particle
-/// below it carries three quarters of the water above, as fast as the pressure rises inwards:       (6.9)
-///   p_i/rho0 = 3/4 s_i max(0, (lambda_i - lambda_1)/lambda_1') max(0, -(c_i + g).n_i)
-/// forceGradient: c_i = (grad p)/rho0 - g of the last step, at most |g| of it counts.
+/// p/rho0 of the surface particles [m2/s2], 0 of the others: that of the water above their centres,         (6.9)
+///   p_i/rho0 = s_i max(0, 1/2 + <b>/lambda_e' + 1/4 (b_i - <b>)/lambda_1') <-(c + g).n>,   b = lambda - lambda_1
+/// <> is the mean over the surface particles in the support.
+/// forceGradient: c_i = (grad p)/rho0 - g at the new time, as far as it counts.
 template <int Dim>
 void surfacePressure(const FlatSurface& surface, Real spacingOverH, const Points<Dim>& points,
-                     const Corrections<Dim>& corrections, const std::vector<SurfaceRole>& role,
-                     Span<const Vec<Dim>> forceGradient, const Vec<Dim>& force, std::vector<Real>& p);
+                     const PairList<Dim>& pairs, const Corrections<Dim>& corrections,
+                     const std::vector<SurfaceRole>& role, Span<const Vec<Dim>> forceGradient,
+                     const Vec<Dim>& force, std::vector<Real>& p);
 
 }  // namespace isph

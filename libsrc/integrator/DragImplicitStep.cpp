@@ -14,7 +14,8 @@ namespace {
 constexpr Real kSoilPorosity = 0.9;      // below it water is pulled into voids of the soil   (5.6)
 constexpr Real kLeastSupport = 0.75;     // lambda/Dim for that
 constexpr Real kFullSupport = 0.95;      // lambda/Dim above which a thin spot is no surface
-constexpr int kRepeats = 6;              // pressure solves of a first step under gravity
+constexpr Real kNewest = 0.2;           // share of the newest force in the mean of the past ones
+constexpr int kRepeats = 10;             // pressure solves of a first step under gravity
 }  // namespace
 
 template <int Dim>
@@ -86,14 +87,33 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     const Water<Dim> before = repeats > 1 ? scene_.water : Water<Dim>{};
     for (int k = 0; k < repeats; ++k) {
         if (k > 0) scene_.water.u = before.u, scene_.water.uOld = before.uOld;
-        surfacePressure<Dim>(flat_, scene_.scheme.spacing / scene_.scheme.h0, fields_.points, fields_.corrections,
-                             fields_.role, scene_.water.forceGradient, scene_.scheme.force, surfacePressure_);
-        const PressureSource<Dim> source{fields_.v, scene_.water.forceGradient, divergence_, scene_.scheme.force,
-                                         surfacePressure_};
+        expectForce(k == 0 ? weights.ratio : 0);
+        surfacePressure<Dim>(flat_, scene_.scheme.spacing / scene_.scheme.h0, fields_.points, fields_.pairs,
+                             fields_.corrections, fields_.role, force_, scene_.scheme.force, surfacePressure_);
+        const PressureSource<Dim> source{fields_.v, force_, divergence_, scene_.scheme.force, surfacePressure_,
+                                         scene_.scheme.strongest};
         pressure_.solve(scene_, medium, source, {}, timers_, fields_, report);
         const auto timer = timers_.scope("corrector");
         correct(medium, scene_.scheme, fields_, scene_.water);
     }
+    if (weights.ratio == 0) scene_.water.forceGradientOld = scene_.water.forceGradient;   // no force before
+}
+
+/// c_i at the new time, of which near the surface no more than the strongest force of the case counts.       (5.4)
+template <int Dim>
+void DragImplicitStep<Dim>::expectForce(Real ratio)
+{
+    Water<Dim>& water = scene_.water;
+    const Real strongest = std::max(scene_.scheme.strongest, norm(scene_.scheme.force));
+    force_.resize(water.size());
+    parallelFor(water.size(), [&](Index i) {
+        const Vec<Dim> c = water.forceGradient[i];
+        Vec<Dim>& past = water.forceGradientOld[i];
+        past += kNewest * (c - past);
+        force_[i] = c;
+        if (fields_.role[i] == SurfaceRole::inner) return;
+        force_[i] = atMost(c + (ratio * kNewest / (1 - kNewest)) * (c - past), strongest);
+    });
 }
 
 /// Divergence that brings the filling of space back to the lattice's, eps dn s^2/T, less the volume

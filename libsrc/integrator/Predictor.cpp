@@ -10,7 +10,8 @@
 namespace isph {
 
 namespace {
-constexpr Real kInnerStrength = 8;  // c_r of inner pairs, whose rough part is small, over that of others
+constexpr Real kRoughStrength = 8;     // c_r of rough parts, which are small,
+constexpr Real kWholeStrength = 0.5;   // and of whole differences at the surface, over that of the case
 
 /// Lower bound of (lambda_i + lambda_j)/(2 Dim): sprays have little of a support.  [theory (2.8)]
 constexpr Real kLeastSupport = 0.7;
@@ -36,12 +37,13 @@ struct Carried {
         x = 0,                 ///< Dim values
         v = Dim,               ///< extrapolated to the new time, Dim values
         volume = 2 * Dim, part, lambda, viscosity, zone,
-        gradient,              ///< grad v of inner particles, zero of others, row by row
+        gradient,              ///< grad v where differences have a smooth part, else zero, row by row
         whole = gradient + Dim * Dim,   ///< 1 if inner and all partners are in the same zone, otherwise 0
         used, size = (used + kLanes - 1) / kLanes * kLanes
     };
-    /// part: 1 near the surface, 2 inner; negative in soil that holds its water. No dissipation acts across its face. (7.5)
-    static constexpr Real kClear = 1, kInner = 2;
+    /// part: 1 near the surface, 1.5 where the smooth part is taken off there too, 2 inner; negative in soil that
+    /// holds its water. No dissipation acts across its face. (7.5)
+    static constexpr Real kClear = 1, kSmooth = 1.5, kInner = 2;
 };
 
 /// grad v of inner particles; where it is zero a velocity difference has no smooth part.   [theory (7.3)]
@@ -51,7 +53,7 @@ void velocityGradient(const StepFields<Dim>& fields, Index i, const Records<Carr
     using C = Carried<Dim>;
     Real* own = carried[i];
     std::fill(own + C::gradient, own + C::size, 0);
-    if (std::abs(own[C::part]) != C::kInner) return;
+    if (std::abs(own[C::part]) < C::kSmooth) return;
     OuterSum<Dim> sum;
     bool whole = true;
     fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
@@ -68,7 +70,7 @@ void velocityGradient(const StepFields<Dim>& fields, Index i, const Records<Carr
     const Mat<Dim> gradient = sum.total() * fields.corrections.Lwater(i);
     for (int r = 0; r < Dim; ++r)
         for (int c = 0; c < Dim; ++c) own[C::gradient + r * Dim + c] = gradient[r][c];
-    own[C::whole] = whole;
+    own[C::whole] = whole && std::abs(own[C::part]) == C::kInner;
 }
 
 template <int Dim>
@@ -189,7 +191,9 @@ struct RateSum {
         const Lanes weight = VF / supportOf(partners), nu = viscosityOf(partners, ownShare);
         const Lanes part = partners(C::part) * (partners.own[C::part] < 0 ? Real(-1) : Real(1));
         const bool inner = std::abs(partners.own[C::part]) == C::kInner;
-        const Lanes pull = pullOf(part, inner, VF, approach, smoothApproach, nu) / (r2 > shortest2 ? r2 : allLanes(shortest2));
+        const bool smoothed = std::abs(partners.own[C::part]) >= C::kSmooth;
+        const Lanes pull = pullOf(part, smoothed, VF, approach, smoothApproach, nu)
+                         / (r2 > shortest2 ? r2 : allLanes(shortest2));
         const Lanes friction = weight * nu, smoothPair = partners.own[C::whole] * partners(C::whole);
         for (int d = 0; d < Dim; ++d) {
             const Lanes v = smoothPair > 0 ? sharpened(v_ij[d], smooth[d]) : v_ij[d];
@@ -213,14 +217,14 @@ private:
         return support > kLeastSupport ? support : allLanes(kLeastSupport);
     }
     /// 2 V F (c_r |a| - nu) a, a the approach or its rough part: what friction does not do itself.
-    Lanes pullOf(const Lanes& part, bool inner, const Lanes& VF, const Lanes& approach, const Lanes& smooth,
+    Lanes pullOf(const Lanes& part, bool smoothed, const Lanes& VF, const Lanes& approach, const Lanes& smooth,
                  const Lanes& nu) const
     {
         if (dissipation == 0) return Lanes{};
-        Lanes a = approach, strength = allLanes(dissipation);
-        if (inner) {
-            a = part == C::kInner ? roughPart(approach, smooth) : approach;
-            strength = part == C::kInner ? strength * kInnerStrength : strength;
+        Lanes a = approach, strength = allLanes(dissipation * kWholeStrength);
+        if (smoothed) {
+            a = part >= C::kSmooth ? roughPart(approach, smooth) : approach;
+            strength = part >= C::kSmooth ? allLanes(dissipation * kRoughStrength) : strength;
         }
         const Lanes lacking = strength * sizeOf(a) - nu;
         const Lanes pull = 2 * VF * (lacking > 0 ? lacking : Lanes{});
@@ -301,7 +305,7 @@ Vec<Dim> rateOf(Index i, const Medium& medium, const WallCloud<Dim>& walls, cons
         });
     const bool inner = std::abs(own[C::part]) == C::kInner, clear = pairs.wallNeighbours(i) == 0;
     // Where slip walls cut the support the Laplacian stays as it is.
-    if (clear || !walls.noSlip.empty()) {
+    if (inner && (clear || !walls.noSlip.empty())) {
         if constexpr (Medium::hasSoil) {
             if (inner && !whole && nu_i > 0) return rate + stressOf(i, medium, fields, carried) * side;
         }
@@ -328,7 +332,7 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         for (int d = 0; d < Dim; ++d)
             to[C::v + d] = eps * ((1 + weights.ratio) * water.u[i][d] - weights.ratio * water.uOld[i][d]);
         const bool inner = fields.role[i] == SurfaceRole::inner;
-        to[C::part] = (inner ? C::kInner : C::kClear) * (medium.isHeld(i, norm(water.u[i])) ? -1 : 1);
+        to[C::part] = (inner ? C::kInner : scheme.wholeAtSurface ? C::kClear : C::kSmooth) * (medium.isHeld(i, norm(water.u[i])) ? -1 : 1);
         to[C::volume] = points.volume[i];
         to[C::lambda] = lambda[i];
         to[C::viscosity] = (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / medium.sharpPorosity(i);

@@ -18,6 +18,8 @@ struct Scheme {
     Real density = 1000;              ///< rho0 [kg/m3]
     Real viscosity = 1e-6;            ///< nu [m2/s]
     Vec<Dim> force{};                 ///< g + body force [m/s2]
+    Real strongest = 0;               ///< |c| that counts near the surface, if above |g|    [theory (5.4)]
+    bool surfaceCarries = true;       ///< surface particles carry the water above them (6.9); the paper's do not
 
     Stabilisation stabilisation = Stabilisation::relaxedDensity;
     Real relaxationTime = 0.1;        ///< T of the density source [s]                      [theory (5.5)]
@@ -26,6 +28,7 @@ struct Scheme {
     Real shifting = 10;               ///< A of (7.1), 0 = none
     Real largestShift = 0.05;         ///< in local spacings
     Real dissipation = 16;            ///< c_r of (7.3)
+    bool wholeAtSurface = true;       ///< at the surface velocity differences dissipate with their smooth part
     Real collisionDistance = 0.5;     ///< in local spacings                                [theory (7.4)]
 
     Real particleVolume() const { return Dim == 2 ? sqr(spacing) : cube(spacing); }

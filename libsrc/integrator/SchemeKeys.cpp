@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrator/SchemeKeys.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isph {
+
+namespace {
+constexpr Real kSharpestTurn = 10;   // water of the speed U at the start turns within a tenth of its extent   (5.4)
+}
 
 Schema schemeKeys()
 {
@@ -41,6 +46,9 @@ Schema shiftingKeys()
 Schema dissipationKeys()
 {
     return {Key::scalar("coefficient", "c_r of the pair viscosity c_r r|v.e|, 0: none").byDefault("16").atLeast(0),
+            Key::word("surface", "what dissipates at and near the surface: whole differences of the velocity, or their "
+                                 "rough part, as inside")
+                .oneOf({"whole", "rough"}).byDefault("whole"),
             Key::scalar("collisionDistance", "local spacings below which approach is stopped")
                 .byDefault("0.5").atLeast(0).atMost(0.9)};
 }
@@ -108,6 +116,8 @@ Scheme<Dim> readScheme(const Dictionary& schemes, const WaterProperties& water)
     const bool automatic = !stabilisation.found("relaxationTime")
                         || stabilisation.tokens("relaxationTime").front().text == "auto";
     const Real g = norm(scheme.force);
+    if (water.depth > 0) scheme.strongest = kSharpestTurn * sqr(water.speed) / water.depth;
+    scheme.surfaceCarries = readProjection(schemes) == Projection::dragImplicit;
     if (!automatic) scheme.relaxationTime = stabilisation.get<Real>("relaxationTime", dims::time);
     else if (g > 0) scheme.relaxationTime = 0.2 * std::sqrt(water.depth / g);
     else if (water.speed > 0) scheme.relaxationTime = 10 * water.depth / water.speed;
@@ -116,6 +126,7 @@ Scheme<Dim> readScheme(const Dictionary& schemes, const WaterProperties& water)
     scheme.shifting = shiftingKeys().get<Real>(shifting, "coefficient");
     scheme.largestShift = shiftingKeys().get<Real>(shifting, "largestShift");
     scheme.dissipation = dissipationKeys().get<Real>(dissipation, "coefficient");
+    scheme.wholeAtSurface = dissipationKeys().get<std::string>(dissipation, "surface") == "whole";
     scheme.collisionDistance = dissipationKeys().get<Real>(dissipation, "collisionDistance");
     return scheme;
 }

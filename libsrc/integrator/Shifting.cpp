@@ -103,7 +103,8 @@ Vec<Dim> shiftOf(const Scheme<Dim>& scheme, Real dt, const StepFields<Dim>& fiel
     for (int l = 0; l < kLanes; ++l) U2 = std::max(U2, sum.fastest2[l]);
     Vec<Dim> step = (-scheme.shifting * h * dt * std::sqrt(U2)) * concentration;
     if (fields.role[i] != SurfaceRole::inner) {
-        const Vec<Dim> e = unit(sumOf(sum.normal));
+        const bool surface = fields.role[i] == SurfaceRole::surface;
+        const Vec<Dim> e = unit(surface ? fields.corrections.lopsided[i] : sumOf(sum.normal));
         step -= dot(step, e) * e;
     }
     const Real most = scheme.largestShift * scheme.spacing * h / scheme.h0, length = norm(step);

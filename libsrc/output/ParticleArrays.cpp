@@ -27,6 +27,7 @@ void eachField(Set& water, Each&& field)
     field("U", water.u);
     field("UOld", water.uOld, Absent::isZero);
     field("forceGradient", water.forceGradient, Absent::isZero);
+    field("forceGradientOld", water.forceGradientOld, Absent::isZero);
     field("pEquation", water.p, Absent::isZero);
     field("id", water.id);
 }
@@ -226,6 +227,7 @@ Water<Dim> waterOf(const ParticleFile& file)
 {
     auto water = setOf<Water>(file, Reading<Dim>(file));
     if (!file.vectors.contains("UOld")) water.uOld = water.u;
+    if (!file.vectors.contains("forceGradientOld")) water.forceGradientOld = water.forceGradient;
     return water;
 }
 

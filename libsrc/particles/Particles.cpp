@@ -6,7 +6,8 @@ namespace isph {
 template <int Dim>
 void Water<Dim>::resize(std::size_t n)
 {
-    x.resize(n), u.resize(n), uOld.resize(n), p.resize(n), forceGradient.resize(n), id.resize(n);
+    x.resize(n), u.resize(n), uOld.resize(n), p.resize(n), id.resize(n);
+    forceGradient.resize(n), forceGradientOld.resize(n);
 }
 
 template <int Dim>
@@ -17,7 +18,8 @@ void Water<Dim>::reorder(const std::vector<Index>& order)
         for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = field[order[k]];
         field.swap(sorted);
     };
-    permute(x), permute(u), permute(uOld), permute(p), permute(forceGradient), permute(id);
+    permute(x), permute(u), permute(uOld), permute(p), permute(id);
+    permute(forceGradient), permute(forceGradientOld);
 }
 
 template struct Water<2>;

@@ -15,8 +15,9 @@ struct Water {
     std::vector<Vec<Dim>> x;              ///< position [m]
     std::vector<Vec<Dim>> u;              ///< pore velocity at the end of the last step [m/s]
     std::vector<Vec<Dim>> uOld;           ///< pore velocity one step before, for BDF2
-    std::vector<Real> p;                  ///< pressure of the pressure equation [Pa], zero at the surface
+    std::vector<Real> p;                  ///< pressure of the pressure equation [Pa]
     std::vector<Vec<Dim>> forceGradient;  ///< c, (grad p)/rho - g as the last step felt it [m/s2]   [theory (6.4)]
+    std::vector<Vec<Dim>> forceGradientOld;   ///< the mean of those before, for its value at the new time   (5.4)
     std::vector<std::int64_t> id;
 
     std::size_t size() const { return x.size(); }

@@ -107,14 +107,14 @@ Real contract(const Mat<Dim>& L, const Mat<Dim>& M)
     return sum;
 }
 
-/// s_i w_i - v_i, what the pressure took from the predictor in the last step. In soil, which may be driven by more than
+/// s_i w_i - v_i, what the pressure takes from the predictor. In soil, which may be driven by more than
 /// gravity, it is taken as it was; at a surface noise could be more.                                  [theory (5.4)]
 template <int Dim, class Medium>
 Vec<Dim> lastChange(Index i, SurfaceRole role, const Medium& medium, const PressureSource<Dim>& source)
 {
     const Vec<Dim>& c = source.forceGradient[i];
     const bool driven = medium.inSoil(i) && role == SurfaceRole::inner;
-    return medium.beta(i) * (driven ? c : atMost(c, norm(source.force)));
+    return medium.beta(i) * (driven ? c : atMost(c, std::max(source.strongest, norm(source.force))));
 }
 
 /// |T_i| h_i that counts of an inner particle beside walls: packings leave 0.1, a free surface 1.2; more is a corner with

@@ -22,10 +22,11 @@ struct PressureRows {
 template <int Dim>
 struct PressureSource {
     Span<const Vec<Dim>> v;               ///< w, the predictor's Darcy velocity, water and images
-    Span<const Vec<Dim>> forceGradient;   ///< c_i, (s w - v)/beta of the last step
+    Span<const Vec<Dim>> forceGradient;   ///< c_i, (s w - v)/beta, at the new time
     Span<const Real> divergence;          ///< wanted divergence of v_D after the step [1/s]
     Vec<Dim> force{};                     ///< g + body force
     Span<const Real> surfacePressure{};   ///< p/rho0 of surface particles [m2/s2]; empty: 0   [theory (6.9)]
+    Real strongest = 0;                   ///< |c_i| that counts near the surface, if larger than |force|
 };
 
 /// Row i, multiplied by V_i so that the matrix is symmetric:                              [theory (5.1)]

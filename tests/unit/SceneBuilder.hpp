@@ -45,6 +45,7 @@ public:
         Water<Dim>& w = scene_.water;
         w.id.push_back(static_cast<std::int64_t>(w.size()));
         w.x.push_back(x), w.u.push_back(u), w.uOld.push_back(u), w.p.push_back(0), w.forceGradient.push_back({});
+        w.forceGradientOld.push_back({});
         return *this;
     }
     SceneBuilder& shakeWater(Real spacings) { return shake(scene_.water.x, spacings * scene_.scheme.spacing), *this; }

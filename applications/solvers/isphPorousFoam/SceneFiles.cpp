@@ -68,7 +68,8 @@ std::vector<Real> pressure(const Scene<Dim>& scene, const StepFields<Dim>& field
     const Real g = norm(scheme.force), surface = Real(0.5) * scheme.density * g * scheme.spacing;
     std::vector<Real> p(scene.water.p);
     const auto& role = fields.role;
-    if (g == 0 || std::find(role.begin(), role.end(), SurfaceRole::surface) == role.end()) return p;
+    if (scheme.surfaceCarries || g == 0) return p;
+    if (std::find(role.begin(), role.end(), SurfaceRole::surface) == role.end()) return p;
     parallelFor(p.size(), [&](Index i) {
         const bool held = scene.porous && fields.soil.zone[i] != kClearWater;   // soil holds its water against falling
         const Real carried = norm(scene.water.forceGradient[i] + scheme.force) / g;   // |grad p|/(rho |f|)

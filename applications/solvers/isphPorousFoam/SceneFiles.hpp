@@ -29,9 +29,9 @@ void sortParticles(Scene<Dim>& scene, Real reach);
 template <int Dim>
 ParticleFile waterFile(const Scene<Dim>& scene, const StepFields<Dim>& fields);
 
-/// Pressure as users know it: that of the equation is zero at the centres of surface particles, half a
-/// spacing below the surface; rho |f| d0/2 is added where the pressure carries the water, less where
-/// it falls.                                                                          [theory (6.7)]
+/// Pressure as users know it: that of the equation. The one of projection paper is zero at the centres of surface
+/// particles, half a spacing below the surface: rho |f| d0/2 is added where the pressure carries the water, less
+/// where it falls.                                                                    [theory (6.7)]
 template <int Dim>
 std::vector<Real> pressure(const Scene<Dim>& scene, const StepFields<Dim>& fields);
 

@@ -85,32 +85,94 @@ TEST(FreeSurface, TellsTheDepthOfAParticleBelowItsFirstRow)
     for (const Real depth : {0.0, 0.1, 0.3}) expectDepth<2>(depth), expectDepth<3>(depth);
 }
 
-/// One surface particle with the given lambda, normal and force of the last step; g points down.
-Real pressureAtSurface(Real lambda, const Vec<2>& normal, const Vec<2>& forceGradient)
+/// How lambda of the first row of a tank answers when the water is drawn out along the surface by `along`.
+template <int Dim>
+Real lambdaOfStretched(Real along, const FlatSurface& flat)
 {
-    Points<2> points;
-    points.water = points.fluid = 1;
-    points.h = {3};   // h0 = 1.5, d0 = 1: in soil of porosity 1/4
-    Corrections<2> corrections;
-    corrections.lambda = {lambda};
-    corrections.lopsided = {normal};
-    std::vector<Real> p;
-    surfacePressure<2>({1.2, 0.6}, 1 / 1.5, points, corrections, {SurfaceRole::surface},
-                       std::vector<Vec<2>>{forceGradient}, {0, -10}, p);
-    return p[0];
+    Vec<Dim> corner, middleOfTop;
+    for (int d = 0; d < Dim; ++d) corner[d] = 9, middleOfTop[d] = d == Dim - 1 ? 8.5 : 4.5;
+    Scene<Dim> scene = SceneBuilder<Dim>(1).water({}, corner).build();
+    std::size_t middle = 0;
+    for (std::size_t i = 0; i < scene.water.size(); ++i)
+        if (norm(scene.water.x[i] - middleOfTop) < 0.1) middle = i;
+    for (Vec<Dim>& x : scene.water.x) x[0] *= along, x[Dim - 1] /= along;
+    Timers timers;
+    DragImplicitStep<Dim> step(scene, timers);
+    step.look();
+    return (step.fields().corrections.lambda[middle] - flat.lambda) / flat.thickening;
 }
 
-TEST(FreeSurface, CarriesTheWaterAboveAParticleBetweenTheRows)
+template <int Dim>
+void expectThickening()
+{
+    Scene<Dim> scene = SceneBuilder<Dim>(1).particle({}).build();
+    const FlatSurface flat = latticeSurface(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing);
+    // Half a spacing above the centres is 1/0.99 and 1/1.01 times as high.
+    const Real higher = 0.5 / 0.99 - 0.5 / 1.01;
+    EXPECT_NEAR(lambdaOfStretched<Dim>(0.99, flat) - lambdaOfStretched<Dim>(1.01, flat), higher, 1e-3 * higher) << Dim;
+}
+
+TEST(FreeSurface, TellsHowMuchHigherTheWaterAboveACompressedRowIs)
+{
+    expectThickening<2>(), expectThickening<3>();
+}
+
+constexpr FlatSurface kFlat{1.2, 0.6, 0.5};
+
+/// p/rho0 of surface particles in a row, 2 apart, with these lambda, one normal and one force at the new time.
+std::vector<Real> pressuresAtSurface(const std::vector<Real>& lambda, const Vec<2>& normal, const Vec<2>& forceGradient)
+{
+    const std::size_t n = lambda.size();
+    const Scene<2> scene = SceneBuilder<2>(1).particle({0, 0}).build();   // for its kernel
+    Points<2> points;
+    points.water = points.fluid = static_cast<Index>(n);
+    Corrections<2> corrections;
+    for (std::size_t i = 0; i < n; ++i) {
+        points.x.push_back({2 * static_cast<Real>(i), 0});
+        points.h.push_back(3);   // h0 = 1.5, d0 = 1: in soil of porosity 1/4
+        points.volume.push_back(4);
+        points.owner.push_back(static_cast<Index>(i));
+    }
+    PairList<2> pairs;
+    pairs.build(points, *scene.kernel);
+    corrections.lambda = lambda;
+    corrections.lopsided.assign(n, normal);
+    std::vector<Real> p;
+    surfacePressure<2>(kFlat, 1 / 1.5, points, pairs, corrections, std::vector<SurfaceRole>(n, SurfaceRole::surface),
+                       std::vector<Vec<2>>(n, forceGradient), {0, -10}, p);
+    return p;
+}
+
+Real pressureAtSurface(Real lambda, const Vec<2>& normal, const Vec<2>& forceGradient)
+{
+    return pressuresAtSurface({lambda}, normal, forceGradient)[0];
+}
+
+TEST(FreeSurface, CarriesTheWaterAboveTheCentresOfItsParticles)
 {
     const Vec<2> up{0, 3}, down{0, -3}, aside{3, 0}, still{0, 0}, falls{0, 10};
-    EXPECT_DOUBLE_EQ(pressureAtSurface(1.5, up, still), 7.5);      // half a local spacing of 2 deep
-    EXPECT_EQ(pressureAtSurface(1.2, up, still), 0);               // of the first row
+    EXPECT_DOUBLE_EQ(pressureAtSurface(1.2, up, still), 10);       // half a local spacing of 2
+    EXPECT_DOUBLE_EQ(pressureAtSurface(1.45, up, still), 20);      // another half spacing deep
     EXPECT_EQ(pressureAtSurface(0.9, up, still), 0);               // a crest
     EXPECT_EQ(pressureAtSurface(1.5, up, falls), 0);               // in free fall
-    EXPECT_EQ(pressureAtSurface(1.5, down, still), 0);             // a ceiling drips
+    EXPECT_DOUBLE_EQ(pressureAtSurface(1.2, down, still), -10);    // what hangs from water pulls at it
     EXPECT_EQ(pressureAtSurface(1.5, aside, still), 0);
-    EXPECT_DOUBLE_EQ(pressureAtSurface(1.5, up, {0, -5}), 11.25);     // thrown up, as at an impact
-    EXPECT_DOUBLE_EQ(pressureAtSurface(1.5, up, {0, -500}), 15);   // no more than |g| of it
+    EXPECT_DOUBLE_EQ(pressureAtSurface(1.2, up, {0, -5}), 15);     // thrown up, as at an impact
+}
+
+TEST(FreeSurface, CarriesAllOfTheMeanAndAQuarterOfTheRest)
+{
+    const Real step = 0.01;
+    const Vec<2> up{0, 3}, still{0, 0};
+    const auto even = pressuresAtSurface(std::vector<Real>(9, 1.2 + step), up, still);
+    EXPECT_NEAR(even[4], 10 + 20 * step / kFlat.thickening, 1e-12);
+    std::vector<Real> uneven(9, 1.2);
+    for (std::size_t i = 0; i < uneven.size(); i += 2) uneven[i] += step;
+    const auto p = pressuresAtSurface(uneven, up, still);
+    // A mean that sees the row only: of the alternation less than a fifth is left in it.
+    const Real rough = 20 * 0.25 * step / kFlat.rise;
+    EXPECT_GT(p[4] - p[3], rough);
+    EXPECT_LT(p[4] - p[3], rough + 0.2 * 20 * step / kFlat.thickening);
 }
 
 }  // namespace

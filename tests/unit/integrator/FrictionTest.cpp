@@ -100,6 +100,31 @@ TEST(Friction, OfAUniformStressThroughAFaceIsNone)
     EXPECT_LT(frictionOfUniformStress(0.1), 1e-6);
 }
 
+/// Largest change of velocity that dissipation makes in a step of a drop that a smooth flow strains.
+Real lossOfStrainedDrop(bool wholeAtSurface)
+{
+    Scene<2> scene = SceneBuilder<2>(1).viscosity(0).force({}).water({0, 0}, {12, 12}).shakeWater(0.1).build();
+    scene.scheme.dissipation = 16;
+    scene.scheme.wholeAtSurface = wholeAtSurface;
+    Water<2>& water = scene.water;
+    for (std::size_t i = 0; i < water.size(); ++i) water.u[i] = water.uOld[i] = {-water.x[i][0], water.x[i][1]};
+    Timers timers;
+    OpenStep step(scene, timers);
+    step.look();
+    StepFields<2>& fields = step.open();
+    const StepWeights weights{0.01, 0};
+    predict(water, scene.wallCloud, ClearWater<2>{weights.dtPrime()}, scene.scheme, weights, fields);
+    Real most = 0;
+    for (std::size_t i = 0; i < water.size(); ++i) most = std::max(most, norm(fields.v[i] - water.u[i]));
+    return most;
+}
+
+TEST(Dissipation, LeavesASmoothStrainAtTheSurfaceAloneWhereOnlyItsRoughPartDissipates)
+{
+    EXPECT_LT(lossOfStrainedDrop(false), 1e-12);
+    EXPECT_GT(lossOfStrainedDrop(true), 0.1);
+}
+
 TEST(Dissipation, LeavesToFrictionWhatItDoesByItself)
 {
     // Largest 8 c_r |a| of this wave, 8 c_r k^3 r^4/12 = 0.4, is below the viscosity, 1.

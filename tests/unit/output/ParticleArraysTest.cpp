@@ -23,6 +23,7 @@ Water<2> someWater()
         water.uOld.push_back({{a * a, 2}});
         water.p.push_back(7 * a);
         water.forceGradient.push_back({{-a, 9.81}});
+        water.forceGradientOld.push_back({{-2 * a, 9.8}});
         water.id.push_back(10 - i);
     }
     return water;
@@ -84,6 +85,7 @@ TEST(ParticleArrays, WhatARestartNeedsComesBackBitForBit)
     EXPECT_EQ(water.uOld, someWater().uOld);
     EXPECT_EQ(water.p, someWater().p);
     EXPECT_EQ(water.forceGradient, someWater().forceGradient);
+    EXPECT_EQ(water.forceGradientOld, someWater().forceGradientOld);
     EXPECT_EQ(water.id, someWater().id);
     const Walls<2> walls = wallsOf<2>(fileOf(someWalls(), kSpacing));
     EXPECT_EQ(walls.x, someWalls().x);
@@ -110,6 +112,9 @@ TEST(ParticleArrays, FieldsThatOnlyARunWritesMayBeMissing)
     EXPECT_EQ(water.uOld, someWater().u);
     EXPECT_EQ(water.p, std::vector<Real>(3, 0));
     EXPECT_EQ(water.forceGradient, std::vector<Vec<2>>(3));
+    file = fileOf(someWater(), kSpacing);
+    file.vectors.erase("forceGradientOld");
+    EXPECT_EQ(waterOf<2>(file).forceGradientOld, someWater().forceGradient);
     ParticleFile bed = fileOf(someSoil(), kSpacing);
     bed.vectors.erase("U"), bed.integers.erase("released");
     EXPECT_EQ(soilOf<2>(bed).released, (std::vector<std::int64_t>{0, 0}));
