@@ -112,15 +112,14 @@ TEST(PressureRows, AreTheParticlesThatAreNotAtTheSurface)
     EXPECT_EQ(rows.particle, (std::vector<Index>{0, 2}));
 }
 
-/// A lattice at rest: p = rho g below the centres of the surface row, to the solver's tolerance times
-/// the condition of some hundred unknowns.
+/// A lattice at rest: p = rho g below the surface, half a spacing above the centres of its row, to the solver's
+/// tolerance times the condition of some hundred unknowns.
 template <int Dim>
 void expectHydrostaticPressure(Scene<Dim> scene, Real level)
 {
     advance(scene, 1e-3, 1);
-    const Real top = level - scene.scheme.spacing / 2;
     for (std::size_t i = 0; i < scene.water.size(); ++i)
-        ASSERT_NEAR(scene.water.p[i], 9810 * (top - scene.water.x[i][Dim - 1]), 1e-8 * 9810 * level)
+        ASSERT_NEAR(scene.water.p[i], 9810 * (level - scene.water.x[i][Dim - 1]), 1e-8 * 9810 * level)
             << "height " << scene.water.x[i][Dim - 1];
 }
 
