@@ -87,10 +87,10 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     const Water<Dim> before = repeats > 1 ? scene_.water : Water<Dim>{};
     for (int k = 0; k < repeats; ++k) {
         if (k > 0) scene_.water.u = before.u, scene_.water.uOld = before.uOld;
-        expectForce(k == 0 ? weights.ratio : 0);
+        const std::vector<Vec<Dim>> force = expectForce(k == 0 ? weights.ratio : 0);
         surfacePressure<Dim>(flat_, scene_.scheme.spacing / scene_.scheme.h0, fields_.points, fields_.pairs,
-                             fields_.corrections, fields_.role, force_, scene_.scheme.force, surfacePressure_);
-        const PressureSource<Dim> source{fields_.v, force_, divergence_, scene_.scheme.force, surfacePressure_,
+                             fields_.corrections, fields_.role, force, scene_.scheme.force, surfacePressure_);
+        const PressureSource<Dim> source{fields_.v, force, divergence_, scene_.scheme.force, surfacePressure_,
                                          scene_.scheme.strongest};
         pressure_.solve(scene_, medium, source, {}, timers_, fields_, report);
         const auto timer = timers_.scope("corrector");
@@ -101,19 +101,20 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
 
 /// c_i at the new time, of which near the surface no more than the strongest force of the case counts.       (5.4)
 template <int Dim>
-void DragImplicitStep<Dim>::expectForce(Real ratio)
+std::vector<Vec<Dim>> DragImplicitStep<Dim>::expectForce(Real ratio)
 {
     Water<Dim>& water = scene_.water;
     const Real strongest = std::max(scene_.scheme.strongest, norm(scene_.scheme.force));
-    force_.resize(water.size());
+    std::vector<Vec<Dim>> force(water.size());
     parallelFor(water.size(), [&](Index i) {
         const Vec<Dim> c = water.forceGradient[i];
         Vec<Dim>& past = water.forceGradientOld[i];
         past += kNewest * (c - past);
-        force_[i] = c;
+        force[i] = c;
         if (fields_.role[i] == SurfaceRole::inner) return;
-        force_[i] = atMost(c + (ratio * kNewest / (1 - kNewest)) * (c - past), strongest);
+        force[i] = atMost(c + (ratio * kNewest / (1 - kNewest)) * (c - past), strongest);
     });
+    return force;
 }
 
 /// Divergence that brings the filling of space back to the lattice's, eps dn s^2/T, less the volume
