@@ -7,7 +7,7 @@
 namespace isph {
 
 namespace {
-constexpr Real kShare = 0.01;          // of h0^2 that the noise spreads over in a step
+constexpr Real kShare = 0.004;         // of h0^2 that the noise spreads over in a step
 constexpr Real kPassing = 0.05;        // Courant number of water that is past the face before noise has grown
 constexpr Real kLeastSupport = 0.7;    // (lambda_i + lambda_j)/(2 Dim)                  (2.8)
 

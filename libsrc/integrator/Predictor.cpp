@@ -190,7 +190,6 @@ struct RateSum {
         const Lanes VF = -2 * partners(C::volume) * slope;
         const Lanes weight = VF / supportOf(partners), nu = viscosityOf(partners, ownShare);
         const Lanes part = partners(C::part) * (partners.own[C::part] < 0 ? Real(-1) : Real(1));
-        const bool inner = std::abs(partners.own[C::part]) == C::kInner;
         const bool smoothed = std::abs(partners.own[C::part]) >= C::kSmooth;
         const Lanes pull = pullOf(part, smoothed, VF, approach, smoothApproach, nu)
                          / (r2 > shortest2 ? r2 : allLanes(shortest2));
