@@ -68,26 +68,22 @@ void surfacePressure(const FlatSurface& surface, Real spacingOverH, const Points
                      const std::vector<SurfaceRole>& role, Span<const Vec<Dim>> forceGradient,
                      const Vec<Dim>& force, std::vector<Real>& p)
 {
-    std::vector<Real> depth(points.fluid), inwards(points.fluid);
-    parallelFor(points.water, [&](Index i) {
-        if (role[i] != SurfaceRole::surface) return;
-        depth[i] = corrections.lambda[i] - surface.lambda;
-        inwards[i] = -dot(forceGradient[i] + force, unit(corrections.lopsided[i]));
-    });
-    points.refresh(depth), points.refresh(inwards);
+    const auto depthOf = [&](Index i) { return corrections.lambda[i] - surface.lambda; };
+    const auto inwardsOf = [&](Index i) { return -dot(forceGradient[i] + force, unit(corrections.lopsided[i])); };
     p.resize(points.water);
     parallelForDynamic(points.water, [&](Index i) {
         p[i] = 0;
         if (role[i] != SurfaceRole::surface) return;
         Real weight = pairs.selfW(i);
-        Real meanDepth = weight * depth[i], meanInwards = weight * inwards[i];
+        Real meanDepth = weight * depthOf(i), meanInwards = weight * inwardsOf(i);
         pairs.forWater(i, [&](const auto& pair) {
             if (role[pair.j] != SurfaceRole::surface) return;
+            const Index owner = points.owner[pair.j];
             weight += pair.W;
-            meanDepth += pair.W * depth[pair.j], meanInwards += pair.W * inwards[pair.j];
+            meanDepth += pair.W * depthOf(owner), meanInwards += pair.W * inwardsOf(owner);
         });
         meanDepth /= weight, meanInwards /= weight;
-        const Real rough = kCarried * (depth[i] - meanDepth) / surface.rise;
+        const Real rough = kCarried * (depthOf(i) - meanDepth) / surface.rise;
         const Real above = Real(0.5) + meanDepth / surface.thickening + rough;
         p[i] = std::max(Real(0), above) * spacingOverH * points.h[i] * meanInwards;
     });

@@ -84,13 +84,14 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     densitySource(medium, report);
     // The surface rows use the force gradient of the step before; a first step has to find it.
     const int repeats = weights.ratio == 0 && norm(scene_.scheme.force) > 0 ? kRepeats : 1;
-    const Water<Dim> before = repeats > 1 ? scene_.water : Water<Dim>{};
+    std::vector<Vec<Dim>> u, uOld;
+    if (repeats > 1) u = scene_.water.u, uOld = scene_.water.uOld;
     for (int k = 0; k < repeats; ++k) {
-        if (k > 0) scene_.water.u = before.u, scene_.water.uOld = before.uOld;
-        const std::vector<Vec<Dim>> force = expectForce(k == 0 ? weights.ratio : 0);
+        if (k > 0) scene_.water.u = u, scene_.water.uOld = uOld;
+        expectForce(weights.ratio);
         surfacePressure<Dim>(flat_, scene_.scheme.spacing / scene_.scheme.h0, fields_.points, fields_.pairs,
-                             fields_.corrections, fields_.role, force, scene_.scheme.force, surfacePressure_);
-        const PressureSource<Dim> source{fields_.v, force, divergence_, scene_.scheme.force, surfacePressure_,
+                             fields_.corrections, fields_.role, force_, scene_.scheme.force, surfacePressure_);
+        const PressureSource<Dim> source{fields_.v, force_, divergence_, scene_.scheme.force, surfacePressure_,
                                          scene_.scheme.strongest};
         pressure_.solve(scene_, medium, source, {}, timers_, fields_, report);
         const auto timer = timers_.scope("corrector");
@@ -99,22 +100,22 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     if (weights.ratio == 0) scene_.water.forceGradientOld = scene_.water.forceGradient;   // no force before
 }
 
-/// c_i at the new time, of which near the surface no more than the strongest force of the case counts.       (5.4)
+/// force_: c_i at the new time, of which near the surface no more than the strongest force of the case counts. The
+/// force of the last step enters the mean of the past ones.                                                  (5.4)
 template <int Dim>
-std::vector<Vec<Dim>> DragImplicitStep<Dim>::expectForce(Real ratio)
+void DragImplicitStep<Dim>::expectForce(Real ratio)
 {
     Water<Dim>& water = scene_.water;
     const Real strongest = std::max(scene_.scheme.strongest, norm(scene_.scheme.force));
-    std::vector<Vec<Dim>> force(water.size());
+    force_.resize(water.size());
     parallelFor(water.size(), [&](Index i) {
         const Vec<Dim> c = water.forceGradient[i];
         Vec<Dim>& past = water.forceGradientOld[i];
         past += kNewest * (c - past);
-        force[i] = c;
+        force_[i] = c;
         if (fields_.role[i] == SurfaceRole::inner) return;
-        force[i] = atMost(c + (ratio * kNewest / (1 - kNewest)) * (c - past), strongest);
+        force_[i] = atMost(c + (ratio * kNewest / (1 - kNewest)) * (c - past), strongest);
     });
-    return force;
 }
 
 /// Divergence that brings the filling of space back to the lattice's, eps dn s^2/T, less the volume

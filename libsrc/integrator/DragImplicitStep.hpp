@@ -24,11 +24,12 @@ private:
     void drag();
     template <class Medium>
     void project(const Medium& medium, const StepWeights& weights, StepReport& report);
-    std::vector<Vec<Dim>> expectForce(Real ratio);
+    void expectForce(Real ratio);
     void densitySource(const auto& medium, StepReport& report);
     PressureStage<Dim> pressure_;
     FlatSurface flat_;
     std::vector<Real> divergence_;         ///< wanted after the step [1/s]
+    std::vector<Vec<Dim>> force_;          ///< c_i at the new time [m/s2]
     std::vector<Real> surfacePressure_;    ///< p/rho0 of surface particles [m2/s2], 0 of the others
 };
 

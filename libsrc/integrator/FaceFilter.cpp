@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrator/FaceFilter.hpp"
 
+#include "operators/SupportFactor.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,6 @@ namespace isph {
 namespace {
 constexpr Real kShare = 0.004;         // of h0^2 that the noise spreads over in a step
 constexpr Real kPassing = 0.05;        // Courant number of water that is past the face before noise has grown
-constexpr Real kLeastSupport = 0.7;    // (lambda_i + lambda_j)/(2 Dim)                  (2.8)
 
 template <int Dim>
 class Filter {
@@ -20,9 +21,10 @@ public:
     {
         const Points<Dim>& points = fields.points;
         at.v.resize(points.fluid), at.viscosity.resize(points.fluid), at.gradient.resize(points.fluid);
-        parallelFor(points.water, [&](Index i) {
-            at.v[i] = medium.porosity(i) * ((1 + weights.ratio) * water.u[i] - weights.ratio * water.uOld[i]);
-            at.viscosity[i] = besideFace(i) ? viscosity(norm(water.u[i]), medium.porosity(i)) : 0;
+        parallelForDynamic(points.water, [&](Index i) {
+            at.v[i] = medium.porosity(i) * weights.extrapolated(water.u[i], water.uOld[i]);
+            at.viscosity[i] = viscosity(norm(water.u[i]), medium.porosity(i));
+            if (at.viscosity[i] > 0 && !besideFace(i)) at.viscosity[i] = 0;
         });
         points.refresh(at.v), points.refresh(at.viscosity);
         parallelForDynamic(points.water, [&](Index i) {
@@ -40,9 +42,9 @@ public:
             const Real nu = medium_.zone(j) == medium_.zone(i) ? std::min(at_.viscosity[i], at_.viscosity[j]) : 0;
             if (nu == 0) return;
             const Index owner = fields_.points.owner[j];
-            const Real support = std::max(kLeastSupport, (lambda[i] + lambda[owner]) / (2 * Dim));
+            const Real weight = fields_.points.volume[j] * pair.F() * supportFactor<Dim>(lambda[i], lambda[owner]);
             const Vec<Dim> smooth = Real(0.5) * ((at_.gradient[i] + at_.gradient[j]) * pair.x_ij);
-            rate -= fields_.points.volume[j] * pair.F() / support * nu * (at_.v[i] - at_.v[j] - smooth);
+            rate -= weight * nu * (at_.v[i] - at_.v[j] - smooth);
         });
         return rate;
     }

@@ -2,6 +2,7 @@
 #include "integrator/Predictor.hpp"
 
 #include "operators/Gradient.hpp"
+#include "operators/SupportFactor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,21 +14,12 @@ namespace {
 constexpr Real kRoughStrength = 8;     // c_r of rough parts, which are small,
 constexpr Real kWholeStrength = 0.5;   // and of whole differences at the surface, over that of the case
 
-/// Lower bound of (lambda_i + lambda_j)/(2 Dim): sprays have little of a support.  [theory (2.8)]
-constexpr Real kLeastSupport = 0.7;
-
 /// Share of the rough part of v_ij that makes the Laplacian exact to the fourth order of a full support, for any
 /// kernel, and its bound in shares of v_ij: noise must not stiffen the explicit friction.   [theory (2.13)]
 constexpr Real kSharpening = 1.0 / 3, kMostSharpening = 0.1;
 
 /// Share of h0^2 that friction spreads over in a step from which on the packing's anisotropy counts. [theory (2.14)]
 constexpr Real kViscous = 5e-4;
-
-template <int Dim>
-Real supportFactor(Real lambda_i, Real lambda_j)
-{
-    return 1 / std::max(kLeastSupport, (lambda_i + lambda_j) / (2 * Dim));
-}
 
 /// What pairs ask of a particle, side by side in memory. The gradient needs the first eight,
 /// beside soil the zone too.
@@ -213,7 +205,7 @@ private:
     static Lanes supportOf(const Partners<Dim>& partners)
     {
         const Lanes support = partners.sum(C::lambda) * (Real(0.5) / Dim);
-        return support > kLeastSupport ? support : allLanes(kLeastSupport);
+        return support > kLeastPairSupport ? support : allLanes(kLeastPairSupport);
     }
     /// 2 V F (c_r |a| - nu) a, a the approach or its rough part: what friction does not do itself.
     Lanes pullOf(const Lanes& part, bool smoothed, const Lanes& VF, const Lanes& approach, const Lanes& smooth,
@@ -329,7 +321,7 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         Real* to = carried[i];
         const Real eps = medium.porosity(i);
         for (int d = 0; d < Dim; ++d)
-            to[C::v + d] = eps * ((1 + weights.ratio) * water.u[i][d] - weights.ratio * water.uOld[i][d]);
+            to[C::v + d] = eps * weights.extrapolated(water.u[i][d], water.uOld[i][d]);
         const bool inner = fields.role[i] == SurfaceRole::inner;
         to[C::part] = (inner ? C::kInner : scheme.wholeAtSurface ? C::kClear : C::kSmooth) * (medium.isHeld(i, norm(water.u[i])) ? -1 : 1);
         to[C::volume] = points.volume[i];

@@ -44,6 +44,8 @@ struct StepWeights {
     /// v* of the time derivative: ((1 + omega)^2 v^n - omega^2 v^(n-1))/(1 + 2 omega)
     Real now() const { return sqr(1 + ratio) / (1 + 2 * ratio); }
     Real before() const { return -sqr(ratio) / (1 + 2 * ratio); }
+    /// (1 + omega) u^n - omega u^(n-1), what u will be at the new time
+    auto extrapolated(const auto& u, const auto& uOld) const { return (1 + ratio) * u - ratio * uOld; }
 };
 
 }  // namespace isph

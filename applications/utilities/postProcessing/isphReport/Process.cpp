@@ -59,6 +59,7 @@ pid_t start(const Command& command)
     std::string shell = "/bin/sh", option = "-c", line = (single ? "exec " : "") + command.line;
     char* words[] = {shell.data(), option.data(), line.data(), nullptr};
     pid_t pid = 0;
+    const auto lock = holdStarts();
     const int error = posix_spawn(&pid, "/bin/sh", &files, &attributes, words, variables.data());
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&attributes);
@@ -73,6 +74,12 @@ Real seconds(const timeval& time)
 }
 
 }  // namespace
+
+std::unique_lock<std::mutex> holdStarts()
+{
+    static std::mutex starts;
+    return std::unique_lock(starts);
+}
 
 ProcessEnd runCommand(const Command& command)
 {

@@ -168,9 +168,12 @@ bool VariantCase::run() const
 {
     const std::vector<File> files = input();
     fs::remove_all(folder_);
-    for (const File& file : files) {
-        write(folder_ / file.name, file.text);
-        fs::permissions(folder_ / file.name, fs::status(caseDir_ / file.name).permissions());
+    {
+        const auto lock = holdStarts();
+        for (const File& file : files) {
+            write(folder_ / file.name, file.text);
+            fs::permissions(folder_ / file.name, fs::status(caseDir_ / file.name).permissions());
+        }
     }
     Outcome::State state = Outcome::State::stable;
     std::string why;
