@@ -70,7 +70,7 @@ void surfacePressure(const FlatSurface& surface, Real spacingOverH, const Points
 {
     const auto depthOf = [&](Index i) { return corrections.lambda[i] - surface.lambda; };
     const auto inwardsOf = [&](Index i) { return -dot(forceGradient[i] + force, unit(corrections.lopsided[i])); };
-    p.resize(points.water);
+    p.resize(points.fluid);
     parallelForDynamic(points.water, [&](Index i) {
         p[i] = 0;
         if (role[i] != SurfaceRole::surface) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/LargeArray.hpp"
 
+#include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -12,8 +13,9 @@ namespace isph {
 
 namespace {
 constexpr std::size_t kPage = 4096;
-/// The standard allocator keeps what is smaller itself; larger ones it asks of the system each time.
-constexpr std::size_t kLeast = std::size_t{32} << 20;
+/// What is smaller the standard allocator keeps well itself. A higher limit would keep the memory of some arrays of a
+/// step here and that of others there.
+constexpr std::size_t kLeast = std::size_t{1} << 20;
 
 /// A range of addresses that is cut into arrays. Pages that have been touched stay with it.
 class Range {
@@ -111,6 +113,7 @@ void giveMemory(void* memory, std::size_t bytes, std::size_t alignment) noexcept
 void returnFreeMemory() noexcept
 {
     range().returnFree();
+    malloc_trim(0);
 }
 
 }  // namespace isph

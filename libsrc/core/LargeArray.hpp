@@ -8,7 +8,7 @@
 
 namespace isph {
 
-/// Memory for an array. From 32 MB on it is of huge pages, where the system has them, for loops over
+/// Memory for an array. From 1 MB on it is of huge pages, where the system has them, for loops over
 /// pairs and rows touch many pages at a time; and what is given back is kept for whoever asks next:
 /// the system takes longer to hand out clean pages than a step to fill them. Throws std::bad_alloc.
 void* takeMemory(std::size_t bytes, std::size_t alignment);

@@ -90,9 +90,10 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
         if (k > 0) scene_.water.u = u, scene_.water.uOld = uOld;
         expectForce(weights.ratio);
         surfacePressure<Dim>(flat_, scene_.scheme.spacing / scene_.scheme.h0, fields_.points, fields_.pairs,
-                             fields_.corrections, fields_.role, force_, scene_.scheme.force, surfacePressure_);
-        const PressureSource<Dim> source{fields_.v, force_, divergence_, scene_.scheme.force, surfacePressure_,
-                                         scene_.scheme.strongest};
+                             fields_.corrections, fields_.role, scene_.water.forceGradient, scene_.scheme.force,
+                             fields_.p);
+        const PressureSource<Dim> source{fields_.v, scene_.water.forceGradient, divergence_, scene_.scheme.force,
+                                         fields_.p, scene_.scheme.strongest};
         pressure_.solve(scene_, medium, source, {}, timers_, fields_, report);
         const auto timer = timers_.scope("corrector");
         correct(medium, scene_.scheme, fields_, scene_.water);
@@ -100,21 +101,18 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     if (weights.ratio == 0) scene_.water.forceGradientOld = scene_.water.forceGradient;   // no force before
 }
 
-/// force_: c_i at the new time, of which near the surface no more than the strongest force of the case counts. The
-/// force of the last step enters the mean of the past ones.                                                  (5.4)
+/// c_i becomes what it will be at the new time, near the surface no more than the strongest force of the case; the
+/// corrector sets it anew. The force of the last step enters the mean of the past ones.                    (5.4)
 template <int Dim>
 void DragImplicitStep<Dim>::expectForce(Real ratio)
 {
     Water<Dim>& water = scene_.water;
     const Real strongest = std::max(scene_.scheme.strongest, norm(scene_.scheme.force));
-    force_.resize(water.size());
     parallelFor(water.size(), [&](Index i) {
-        const Vec<Dim> c = water.forceGradient[i];
-        Vec<Dim>& past = water.forceGradientOld[i];
+        Vec<Dim>&c = water.forceGradient[i], &past = water.forceGradientOld[i];
         past += kNewest * (c - past);
-        force_[i] = c;
         if (fields_.role[i] == SurfaceRole::inner) return;
-        force_[i] = atMost(c + (ratio * kNewest / (1 - kNewest)) * (c - past), strongest);
+        c = atMost(c + (ratio * kNewest / (1 - kNewest)) * (c - past), strongest);
     });
 }
 

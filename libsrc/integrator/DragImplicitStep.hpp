@@ -29,8 +29,6 @@ private:
     PressureStage<Dim> pressure_;
     FlatSurface flat_;
     std::vector<Real> divergence_;         ///< wanted after the step [1/s]
-    std::vector<Vec<Dim>> force_;          ///< c_i at the new time [m/s2]
-    std::vector<Real> surfacePressure_;    ///< p/rho0 of surface particles [m2/s2], 0 of the others
 };
 
 extern template class DragImplicitStep<2>;

@@ -14,23 +14,25 @@ void PressureStage<Dim>::solve(Scene<Dim>& scene, const Medium& medium, const Pr
     const Points<Dim>& points = fields.points;
     Water<Dim>& water = scene.water;
     const Real rho = scene.scheme.density;
+    SymmetricMatrix matrix;
     {
         const auto timer = timers.scope("pressure assembly");
+        fields.pairs.releaseRecords();   // the matrix takes the place of the predictor's
         rows_.number(fields.role, points.water);
-        assemble(points, fields.pairs, fields.corrections, fields.role, medium, source, rows_, matrix_, rhs_,
+        assemble(points, fields.pairs, fields.corrections, fields.role, medium, source, rows_, matrix, rhs_,
                  anchored_);
-        placeRows(points, rows_.particle, matrix_.places);
+        placeRows(points, rows_.particle, matrix.places);
         if (!rowFactor.empty())
             parallelFor(rows_.size(), [&](Index r) { rhs_[r] *= rowFactor[rows_.particle[r]]; });
     }
     const auto timer = timers.scope("pressure solve");
     unknown_.resize(rows_.size());
     parallelFor(rows_.size(), [&](Index r) { unknown_[r] = water.p[rows_.particle[r]] / rho; });
-    const FloatingComponents& floating = components_.find(matrix_, anchored_);
-    makeSolvable(matrix_, rhs_, floating);
+    const FloatingComponents& floating = components_.find(matrix, anchored_);
+    makeSolvable(matrix, rhs_, floating);
     startAtZero(unknown_, floating);
     fields.pairs.releaseRecords();   // of the memory of a step, its arrays and the solver's are never needed at once
-    report.pressure = scene.solver->solve(matrix_, rhs_, unknown_);
+    report.pressure = scene.solver->solve(matrix, rhs_, unknown_);
     scene.solver->rest();
     removeMean(unknown_, floating);
     report.unknowns = rows_.size();

@@ -6,7 +6,7 @@
 
 namespace isph {
 
-/// Assembles and solves the pressure equation of a step; its arrays are used again.
+/// Assembles and solves the pressure equation of a step; its smaller arrays are used again.
 template <int Dim>
 class PressureStage {
 public:
@@ -19,7 +19,6 @@ public:
 private:
     PressureRows rows_;
     ComponentFinder components_;
-    SymmetricMatrix matrix_;
     std::vector<Real> rhs_, unknown_;
     std::vector<char> anchored_;
 };

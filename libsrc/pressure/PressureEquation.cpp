@@ -121,21 +121,6 @@ Vec<Dim> lastChange(Index i, SurfaceRole role, const Medium& medium, const Press
 /// less room than a particle takes.
 constexpr Real kMostLopsided = 0.3;   // [theory (5.4)]
 
-/// More room than the entries of a step take, so that those of the next ones fit.
-constexpr Real kRoom = 1.02;
-
-/// Resizes without a copy: where the room is too small it is given back first.
-template <class Value>
-void resizeEmpty(LargeArray<Value>& values, PairIndex n)
-{
-    const auto size = static_cast<std::size_t>(n);
-    if (size > values.capacity()) {
-        values = LargeArray<Value>();
-        values.reserve(static_cast<std::size_t>(kRoom * static_cast<Real>(size)));
-    }
-    values.resize(size);
-}
-
 void countEntries(const PressureRows& rows, const auto& pairs, const auto& role, SymmetricMatrix& matrix)
 {
     matrix.rowStart.resize(rows.size() + 1);
@@ -148,8 +133,8 @@ void countEntries(const PressureRows& rows, const auto& pairs, const auto& role,
         matrix.rowStart[r + 1] = entries;
     });
     for (std::size_t r = 0; r < rows.size(); ++r) matrix.rowStart[r + 1] += matrix.rowStart[r];
-    resizeEmpty(matrix.column, matrix.rowStart.back());
-    resizeEmpty(matrix.offDiagonal, matrix.rowStart.back());
+    const auto entries = static_cast<std::size_t>(matrix.rowStart.back());
+    matrix.column.resize(entries), matrix.offDiagonal.resize(entries);
     matrix.diagonal.resize(rows.size());
 }
 

@@ -29,6 +29,7 @@ void CoarseMatrixBuilder::build(const LevelMatrix<Weight>& fine, const RowSums& 
 
 namespace {
 constexpr Index kSelf = 0, kUngrouped = 1, kOthers = 2;  // places in the row at hand
+constexpr std::size_t kWide = 20;                         // entries of a row
 }
 
 /// Sums the rows of group g into part.column and part.value; returns how many places it took.
@@ -68,8 +69,9 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
     LargeArray<Real>& values = leads ? coarse.offDiagonal : part.values;
     columns.clear(), values.clear();
     const std::size_t rows = leads ? groups.size() : part.last - part.first;
-    // Coarse rows are the shorter ones.
-    const std::size_t room = rows * (fine.column.size() / fine.size() + 1);
+    // The wide rows of particles make coarse ones of less than half their entries, rows of cells about as many.
+    const std::size_t entriesOfRow = fine.column.size() / fine.size();
+    const std::size_t room = rows * ((entriesOfRow > kWide ? entriesOfRow / 2 : entriesOfRow) + 1);
     columns.reserve(room), values.reserve(room);
     Index base = 0;  // slots count on from row to row, so that none need be reset
     for (Index g = part.first; g < part.last; ++g) {

@@ -103,9 +103,8 @@ TEST(LeftOut, TheArraysOfClearWaterAreThese)
     const Arrays expected{
         {1, 1},    // role
         {4, 2},    // row of the pressure equation; place among the corrections of few particles
-        {8, 9},    // p [Pa], id; porosity (1), p/rho, p/rho of the surface, filling, lambda, lambda of water alone,
-                   // divergence wanted
-        {16, 9},   // x, u, uOld, (grad p)/rho - g, the mean of the past ones and the next; v, lopsided; the row of the pair list: where its pairs stand
+        {8, 8},    // p [Pa], id; porosity (1), p/rho, filling, lambda, lambda of water alone, divergence wanted
+        {16, 8},   // x, u, uOld, (grad p)/rho - g and the mean of the past ones; v, lopsided; the row of the pair list: where its pairs stand
         {24, 1},   // L: symmetric, three numbers; L of water alone and L A of few particles
     };
     EXPECT_EQ(arraysOf<2>(), expected);
