@@ -38,6 +38,8 @@ struct HeadSum {
         if constexpr (Medium::hasSoil) {
             Lanes beta{};
             for (int l = 0; l < kLanes; ++l) beta[l] = medium.beta(i, pairs.j[l], lane(x, l));
+            if (medium.carries(i))
+                for (int l = 0; l < kLanes; ++l) head[l] += medium.swiftness(i, pairs.j[l]);
             const Lanes change = beta * head - held(pairs.j, x, of);
             std::array<Lanes, Dim> conducting;
             for (int d = 0; d < Dim; ++d) {

@@ -2,10 +2,12 @@
 #include "integrator/DragImplicitStep.hpp"
 
 #include "integrator/Corrector.hpp"
+#include "integrator/FaceCarry.hpp"
 #include "integrator/FaceFilter.hpp"
 #include "integrator/Predictor.hpp"
 #include "integrator/Shifting.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isph {
@@ -30,12 +32,16 @@ StepReport DragImplicitStep<Dim>::advance(Real dt, Real dtOld)
 {
     StepReport report;
     const StepWeights weights{dt, dtOld > 0 ? dt / dtOld : 0};
+    if (scene_.porous) knowPorosity();
     move(weights, report);
     this->look();
     if (scene_.turbulence) this->eddies();
     if (scene_.porous) {
         drag();
-        project(WaterInSoil<Dim>{weights.dtPrime(), fields_.soil, fields_.resistance, scene_.scheme.spacing}, weights, report);
+        carryThroughFaces(scene_.water, weights, fields_);
+        project(WaterInSoil<Dim>{weights.dtPrime(), fields_.soil, fields_.resistance, scene_.scheme.spacing, fields_.face.v,
+                                 fields_.face.carriesDarcy}, weights, report);
+        keepPorosity();
     } else {
         project(ClearWater<Dim>{weights.dtPrime()}, weights, report);
     }
@@ -43,6 +49,25 @@ StepReport DragImplicitStep<Dim>::advance(Real dt, Real dtOld)
     collide<Dim>(scene_.scheme, fields_, scene_.wallCloud.normal, scene_.wallCloud.depth, scene_.water);
     report.continuity = shift(*scene_.kernel, scene_.scheme, dt, fields_, scene_.water);
     return report;
+}
+
+/// Velocities without a history belong to the porosity where the particles stand.
+template <int Dim>
+void DragImplicitStep<Dim>::knowPorosity()
+{
+    Water<Dim>& water = scene_.water;
+    if (water.porosity.size() == water.size()) return;
+    scene_.porous->evaluate(water.x, fields_.soil);
+    water.porosity = water.porosityOld = fields_.soil.porosity;
+}
+
+/// Of the velocities that the step found.
+template <int Dim>
+void DragImplicitStep<Dim>::keepPorosity()
+{
+    Water<Dim>& water = scene_.water;
+    water.porosityOld.swap(water.porosity);
+    std::copy_n(fields_.soil.porosity.begin(), water.size(), water.porosity.begin());
 }
 
 template <int Dim>
@@ -63,11 +88,11 @@ template <int Dim>
 void DragImplicitStep<Dim>::drag()
 {
     const Points<Dim>& points = fields_.points;
-    const auto& u = scene_.water.u;
+    const Water<Dim>& water = scene_.water;
     auto& soil = fields_.soil;
     fields_.resistance.resize(points.fluid);
     parallelFor(points.water, [&](Index i) {
-        fields_.resistance[i] = soil.linear[i] + soil.quadratic[i] * soil.porosity[i] * norm(u[i]);
+        fields_.resistance[i] = soil.linear[i] + soil.quadratic[i] * water.porosity[i] * norm(water.u[i]);
     });
     points.refresh(fields_.resistance);
 }
@@ -134,9 +159,9 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
     const auto& c = fields_.corrections;
     const auto& solids = fields_.soil.solidsDivergence;
     parallelFor(n, [&](Index i) {
-        const Real surplus = c.filling[i] - latticeFilling_;
         const Real lambda = c.lambda[i] / Dim;
         const SurfaceRole role = fields_.role[i];
+        const Real surplus = c.filling[i] - latticeFilling_;
         const bool pullsInSoil = medium.porosity(i) < kSoilPorosity && lambda > kLeastSupport
                               && role != SurfaceRole::surface;
         const bool acts = surplus > 0 || pullsInSoil || role == SurfaceRole::inner || lambda > kFullSupport;

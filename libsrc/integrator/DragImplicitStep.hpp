@@ -20,6 +20,8 @@ private:
     using ProjectionStep<Dim>::fields_;
     using ProjectionStep<Dim>::latticeFilling_;
 
+    void knowPorosity();
+    void keepPorosity();
     void move(const StepWeights& weights, StepReport& report);
     void drag();
     template <class Medium>

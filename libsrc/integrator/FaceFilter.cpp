@@ -20,13 +20,12 @@ public:
         : medium_(medium), scheme_(scheme), weights_(weights), fields_(fields), at_(at)
     {
         const Points<Dim>& points = fields.points;
-        at.v.resize(points.fluid), at.viscosity.resize(points.fluid), at.gradient.resize(points.fluid);
+        at.viscosity.resize(points.fluid), at.gradient.resize(points.fluid);
         parallelForDynamic(points.water, [&](Index i) {
-            at.v[i] = medium.porosity(i) * weights.extrapolated(water.u[i], water.uOld[i]);
             at.viscosity[i] = viscosity(norm(water.u[i]), medium.porosity(i));
             if (at.viscosity[i] > 0 && !besideFace(i)) at.viscosity[i] = 0;
         });
-        points.refresh(at.v), points.refresh(at.viscosity);
+        points.refresh(at.viscosity);
         parallelForDynamic(points.water, [&](Index i) {
             if (at.viscosity[i] > 0) at.gradient[i] = gradientInZone(i);
         });

@@ -119,6 +119,7 @@ void PaperStep<Dim>::correctAndMove(Real dt)
         water.uOld[i] = water.u[i];
         water.u[i] = v / fields_.soil.porosity[i];
     });
+    water.porosity.clear(), water.porosityOld.clear();   // this scheme carries u alone
     parallelFor(points.water, [&](Index i) {
         water.x[i] = scene_.box.wrap(water.x[i] + (Real(0.5) * dt) * (water.u[i] + water.uOld[i]));
     });

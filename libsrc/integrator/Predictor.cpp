@@ -319,9 +319,10 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
     const auto carried = fields.pairs.template records<C::size>();
     parallelFor(points.water, [&](Index i) {
         Real* to = carried[i];
-        const Real eps = medium.porosity(i);
-        for (int d = 0; d < Dim; ++d)
-            to[C::v + d] = eps * weights.extrapolated(water.u[i][d], water.uOld[i][d]);
+        if constexpr (Medium::hasSoil)
+            for (int d = 0; d < Dim; ++d) to[C::v + d] = fields.face.v[i][d];
+        else
+            for (int d = 0; d < Dim; ++d) to[C::v + d] = weights.extrapolated(water.u[i][d], water.uOld[i][d]);
         const bool inner = fields.role[i] == SurfaceRole::inner;
         to[C::part] = (inner ? C::kInner : scheme.wholeAtSurface ? C::kClear : C::kSmooth) * (medium.isHeld(i, norm(water.u[i])) ? -1 : 1);
         to[C::volume] = points.volume[i];
@@ -349,8 +350,10 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
     parallelForDynamic(points.water, [&](Index i) {
         const Vec<Dim> rate = viscous ? rateOf<true>(i, medium, walls, scheme, most, fields, carried)
                                       : rateOf<false>(i, medium, walls, scheme, most, fields, carried);
-        fields.v[i] = medium.porosity(i) * (weights.now() * water.u[i] + weights.before() * water.uOld[i])
-                    + medium.mobility(i) * weights.dtPrime() * rate;
+        Vec<Dim> start;
+        if constexpr (Medium::hasSoil) start = fields.v[i];
+        else start = weights.now() * water.u[i] + weights.before() * water.uOld[i];
+        fields.v[i] = start + medium.mobility(i) * weights.dtPrime() * rate;
     });
     points.refresh(fields.v);
 }

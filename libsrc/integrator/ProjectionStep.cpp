@@ -38,7 +38,7 @@ void ProjectionStep<Dim>::look()
     if (scene_.porous) {
         const auto refresh = [&](auto& field) { field.resize(points.fluid), points.refresh(field); };
         refresh(soil.porosity), refresh(soil.sharpPorosity), refresh(soil.zone), refresh(soil.depth);
-        refresh(soil.mobility), refresh(soil.normal);
+        refresh(soil.mobility), refresh(soil.normal), refresh(soil.inertia);
     }
 }
 

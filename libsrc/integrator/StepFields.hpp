@@ -9,10 +9,11 @@
 
 namespace isph {
 
-/// What the filter beside faces of soil needs, of water and images; empty without soil.     [theory (7.6)]
+/// What faces of soil ask for, of water and images; empty without soil.            [theory (3.12), (7.6)]
 template <int Dim>
 struct FaceFields {
     std::vector<Vec<Dim>> v;           ///< extrapolated to the new time [m/s]
+    std::vector<char> carriesDarcy;    ///< whether v, not u, is carried through faces       [theory (3.12)]
     std::vector<Real> viscosity;       ///< [m2/s], 0 away from faces
     std::vector<Mat<Dim>> gradient;    ///< grad v in the zone of the particle [1/s]
 };

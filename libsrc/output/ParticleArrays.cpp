@@ -13,7 +13,7 @@ namespace isph {
 
 namespace {
 
-enum class Absent { isError, isZero };
+enum class Absent { isError, isZero, isEmpty };
 
 /// Set is Kind<2> or Kind<3>, const where it is written.
 template <class Set, template <int> class Kind>
@@ -28,6 +28,8 @@ void eachField(Set& water, Each&& field)
     field("UOld", water.uOld, Absent::isZero);
     field("forceGradient", water.forceGradient, Absent::isZero);
     field("forceGradientOld", water.forceGradientOld, Absent::isZero);
+    field("porosityOfU", water.porosity, Absent::isEmpty);
+    field("porosityOfUOld", water.porosityOld, Absent::isEmpty);
     field("pEquation", water.p, Absent::isZero);
     field("id", water.id);
 }
@@ -77,7 +79,7 @@ public:
                     Absent absent = Absent::isError) const
     {
         const auto* from = find(file_.scalars, name, absent);
-        to.assign(file_.size(), 0);
+        to.assign(from || absent != Absent::isEmpty ? file_.size() : 0, 0);
         for (std::size_t i = 0; from && i < to.size(); ++i) to[i] = finite(name, (*from)[i], i);
     }
     void operator()(const std::string& name, std::vector<std::int64_t>& to,
@@ -170,8 +172,9 @@ struct Writing {
     {
         file.vectors[name] = toVectors3(from);
     }
-    void operator()(const std::string& name, const std::vector<Real>& from, Absent = {})
+    void operator()(const std::string& name, const std::vector<Real>& from, Absent absent = {})
     {
+        if (absent == Absent::isEmpty && from.empty()) return;
         file.scalars[name] = from;
     }
     void operator()(const std::string& name, const std::vector<std::int64_t>& from, Absent = {})
@@ -227,6 +230,7 @@ Water<Dim> waterOf(const ParticleFile& file)
 {
     auto water = setOf<Water>(file, Reading<Dim>(file));
     if (!file.vectors.contains("UOld")) water.uOld = water.u;
+    if (water.porosityOld.empty()) water.porosityOld = water.porosity;
     if (!file.vectors.contains("forceGradientOld")) water.forceGradientOld = water.forceGradient;
     return water;
 }

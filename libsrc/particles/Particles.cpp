@@ -14,12 +14,13 @@ template <int Dim>
 void Water<Dim>::reorder(const std::vector<Index>& order)
 {
     const auto permute = [&](auto& field) {
+        if (field.empty()) return;
         auto sorted = field;
         for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = field[order[k]];
         field.swap(sorted);
     };
     permute(x), permute(u), permute(uOld), permute(p), permute(id);
-    permute(forceGradient), permute(forceGradientOld);
+    permute(forceGradient), permute(forceGradientOld), permute(porosity), permute(porosityOld);
 }
 
 template struct Water<2>;

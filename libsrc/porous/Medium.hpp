@@ -35,6 +35,8 @@ struct WaterInSoil {
     const PorousState<Dim>& state;
     Span<const Real> resistance;   ///< r_i = a_i + b_i |v_i|  [1/s]
     Real spacing = 0;              ///< d0 [m]
+    Span<const Vec<Dim>> v{};          ///< extrapolated to the new time [m/s]; empty: nothing carries v through faces
+    Span<const char> carriesDarcy{};   ///< whether a particle does                        [theory (3.12)]
 
     Real porosity(Index i) const { return state.porosity[i]; }
     Real sharpPorosity(Index i) const { return state.sharpPorosity[i]; }
@@ -85,7 +87,19 @@ struct WaterInSoil {
         return dot(w, n) * dot(n, x);
     }
 
+    bool carries(Index i) const { return !v.empty() && carriesDarcy[i]; }
+    /// B_ij, by which p/rho0 of water that flows from i to j falls for its speed in the pores to rise.  [theory (3.13)]
+    Real swiftness(Index i, Index j) const
+    {
+        const Real chi_i = state.inertia[i], chi_j = state.inertia[j];
+        if (std::abs(chi_j - chi_i) <= kSame * (chi_i + chi_j)) return 0;
+        const Real through = Real(0.5) * dot(v[i] + v[j], normal(i, j));
+        return Real(0.5) * sqr(through) * (chi_j - chi_i);
+    }
+
 private:
+    static constexpr Real kSame = 1e-9;   // between two places deep in one soil: rounding of the soil sums
+
     Real pairMobility(Index i, Index j) const
     {
         return 2 * state.mobility[i] * state.mobility[j] / (state.mobility[i] + state.mobility[j]);

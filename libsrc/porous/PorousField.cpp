@@ -236,6 +236,7 @@ void PorousField<Dim>::setParticle(const SoilSums<Dim>& s, const std::vector<Rea
     state.linear[i] = resistance.linear;
     state.quadratic[i] = resistance.quadratic;
     state.mobility[i] = eps / inertia;
+    state.inertia[i] = place.share > 0 ? zones_[place.soil].model->inertiaIntegral(eps) : 0;
     state.normal[i] = s.gradRank;
     if (anyReleased_) state.solidsDivergence[i] = s.divergence;
 }
@@ -246,6 +247,7 @@ void PorousField<Dim>::evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state)
     const std::size_t n = x.size();
     state.porosity.resize(n), state.sharpPorosity.resize(n), state.share.resize(n), state.zone.resize(n), state.depth.resize(n);
     state.linear.resize(n), state.quadratic.resize(n), state.mobility.resize(n), state.normal.resize(n);
+    state.inertia.resize(n);
     state.solidsDivergence.resize(anyReleased_ ? n : 0);
 #pragma omp parallel
     {

@@ -38,6 +38,7 @@ struct PorousState {
     std::vector<Real> linear;       ///< a of the zone [1/s]
     std::vector<Real> quadratic;    ///< b of the zone [1/m]
     std::vector<Real> mobility;     ///< k = eps/C_r(eps)
+    std::vector<Real> inertia;      ///< chi, 0 in clear water                               [theory (3.13)]
     std::vector<Vec<Dim>> normal;   ///< grad psi, towards the soil that resists more [1/m]; its direction is used
     std::vector<Real> solidsDivergence;   ///< div q of released soil = d eps/dt [1/s]; empty without
 };

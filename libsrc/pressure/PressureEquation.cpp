@@ -51,6 +51,7 @@ struct RowSum {
     std::array<Lanes, Dim> side{};   ///< sum V_i V_j F beta x_ij
     OuterSum<Dim> flux{};            ///< of D_i, as far as it is s_i div w
     Lanes crossing{};                ///< what the faces of soil add to it
+    Lanes swiftness{};               ///< sum V_i V_j F beta B_ij
 
     /// Returns the coefficients V_i V_j F beta of eight pairs, rounded to single precision, the same from both
     /// sides of a pair.
@@ -67,6 +68,7 @@ struct RowSum {
             crossing += VSlope * heldAtFaces(pairs.j, change, x);
             for (int d = 0; d < Dim; ++d) change[d] *= medium.damping(i);
         }
+        if constexpr (Medium::hasSoil) swiftness += weight * swiftnesses(pairs.j);
         diagonal += weight;
         for (int d = 0; d < Dim; ++d) {
             side[d] += weight * x[d];
@@ -83,6 +85,16 @@ private:
         Lanes beta{};
         for (int l = 0; l < kLanes; ++l) beta[l] = medium.beta(i, j[l], lane(x, l));
         return beta;
+    }
+    /// B_ij, half where but one of the two carries v.                                       [theory (3.13)]
+    Lanes swiftnesses(const Index* j) const
+    {
+        Lanes swiftness{};
+        for (int l = 0; l < kLanes; ++l) {
+            const int carriers = medium.carries(i) + medium.carries(j[l]);
+            if (carriers > 0) swiftness[l] = Real(0.5) * carriers * medium.swiftness(i, j[l]);
+        }
+        return swiftness;
     }
     /// (s_ij - s_i)(w_i + w_j).x_ij, through a face where there is one: each pair has its own damping.        (5.2)
     Lanes heldAtFaces(const Index* j, const std::array<Lanes, Dim>& change, const std::array<Lanes, Dim>& x) const
@@ -227,7 +239,7 @@ void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corre
         const Vec<Dim> T = atWall ? atMost(corrections.lopsided[i], kMostLopsided / points.h[i]) : corrections.lopsided[i];
         const Real deferred = -dot(lastChange(i, role[i], medium, source), T);
         matrix.diagonal[r] = sumOf(sum.diagonal);
-        rhs[r] = dot(source.force, sumOf(sum.side)) + known - V_i * (divergence - source.divergence[i] + deferred);
+        rhs[r] = dot(source.force, sumOf(sum.side)) + sumOf(sum.swiftness) + known - V_i * (divergence - source.divergence[i] + deferred);
         if (pairs.seesImages(i)) sortRow(matrix, matrix.rowStart[r], matrix.rowStart[r + 1]);
     });
     if (points.images() > 0)

@@ -122,12 +122,12 @@ TEST(LeftOut, InTwoDimensionsNothingHasAZ)
 
 TEST(LeftOut, SoilBringsItsArraysWithIt)
 {
-    // In a corner that no water reaches: share, depth, sharp porosity, a, b, mobility, resistance, viscosity of the
-    // filter; normal and extrapolated velocity; velocity gradient.
+    // In a corner that no water reaches: share, depth, sharp porosity, a, b, mobility, inertia, resistance, viscosity of
+    // the filter, the porosities of u and uOld; normal and extrapolated velocity; velocity gradient.
     const Arrays clear = arraysOf<2>(), wet = arraysOf<2>([](SceneBuilder<2>& builder) {
         builder.soil({0.3, 0.8}, {0.37, 0.85}, "porousModel akbari; akbariCoeffs { porosity 0.4; D50 0.01; }");
     });
-    EXPECT_EQ(wet.at(8), clear.at(8) + 8);
+    EXPECT_EQ(wet.at(8), clear.at(8) + 11);
     EXPECT_EQ(wet.at(16), clear.at(16) + 2);
     EXPECT_EQ(wet.at(24), clear.at(24));
 }

@@ -24,6 +24,7 @@ Water<2> someWater()
         water.p.push_back(7 * a);
         water.forceGradient.push_back({{-a, 9.81}});
         water.forceGradientOld.push_back({{-2 * a, 9.8}});
+        water.porosity.push_back(a), water.porosityOld.push_back(a / 3);
         water.id.push_back(10 - i);
     }
     return water;
@@ -86,6 +87,8 @@ TEST(ParticleArrays, WhatARestartNeedsComesBackBitForBit)
     EXPECT_EQ(water.p, someWater().p);
     EXPECT_EQ(water.forceGradient, someWater().forceGradient);
     EXPECT_EQ(water.forceGradientOld, someWater().forceGradientOld);
+    EXPECT_EQ(water.porosity, someWater().porosity);
+    EXPECT_EQ(water.porosityOld, someWater().porosityOld);
     EXPECT_EQ(water.id, someWater().id);
     const Walls<2> walls = wallsOf<2>(fileOf(someWalls(), kSpacing));
     EXPECT_EQ(walls.x, someWalls().x);
@@ -115,6 +118,10 @@ TEST(ParticleArrays, FieldsThatOnlyARunWritesMayBeMissing)
     file = fileOf(someWater(), kSpacing);
     file.vectors.erase("forceGradientOld");
     EXPECT_EQ(waterOf<2>(file).forceGradientOld, someWater().forceGradient);
+    file.scalars.erase("porosityOfUOld");
+    EXPECT_EQ(waterOf<2>(file).porosityOld, someWater().porosity);
+    file.scalars.erase("porosityOfU");
+    EXPECT_TRUE(waterOf<2>(file).porosity.empty());
     ParticleFile bed = fileOf(someSoil(), kSpacing);
     bed.vectors.erase("U"), bed.integers.erase("released");
     EXPECT_EQ(soilOf<2>(bed).released, (std::vector<std::int64_t>{0, 0}));
