@@ -155,13 +155,14 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
         rate = std::min(1 / scheme.relaxationTime, scheme.speedFactor * U / scheme.spacing);
     if (scheme.stabilisation == Stabilisation::constantAlpha) rate = scheme.alpha / medium.dt;
     divergence_.resize(n);
-    LargeArray<Real> error(n);
+    LargeArray<Real> error(n), surplusOf;
+    fillingSurplus(fields_, medium, lattice_, surplusOf);
     const auto& c = fields_.corrections;
     const auto& solids = fields_.soil.solidsDivergence;
     parallelFor(n, [&](Index i) {
         const Real lambda = c.lambda[i] / Dim;
         const SurfaceRole role = fields_.role[i];
-        const Real surplus = c.filling[i] - latticeFilling_;
+        const Real surplus = surplusOf[i];
         const bool pullsInSoil = medium.porosity(i) < kSoilPorosity && lambda > kLeastSupport
                               && role != SurfaceRole::surface;
         const bool acts = surplus > 0 || pullsInSoil || role == SurfaceRole::inner || lambda > kFullSupport;

@@ -18,7 +18,7 @@ private:
     using ProjectionStep<Dim>::scene_;
     using ProjectionStep<Dim>::timers_;
     using ProjectionStep<Dim>::fields_;
-    using ProjectionStep<Dim>::latticeFilling_;
+    using ProjectionStep<Dim>::lattice_;
 
     void knowPorosity();
     void keepPorosity();

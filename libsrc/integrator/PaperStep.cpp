@@ -94,7 +94,7 @@ void PaperStep<Dim>::densityTerm(Real dt, StepReport& report)
     std::vector<Real> error(n, 0);
     parallelFor(n, [&](Index i) {
         const Real eps = fields_.soil.porosity[i];
-        const Real surplus = fields_.corrections.filling[i] - this->latticeFilling_;   // <rho>/(eps rho0) - 1
+        const Real surplus = fields_.corrections.filling[i] - this->lattice_.filling;   // <rho>/(eps rho0) - 1
         const bool inner = fields_.role[i] == SurfaceRole::inner;
         const auto& solids = fields_.soil.solidsDivergence;
         divergence_[i] = (inner || surplus > 0 ? alpha / dt * eps * surplus : 0) - (solids.empty() ? 0 : solids[i]);

@@ -8,7 +8,8 @@ namespace isph {
 template <int Dim>
 ProjectionStep<Dim>::ProjectionStep(Scene<Dim>& scene, Timers& timers)
     : scene_(scene), timers_(timers), guard_(scene.wallCloud, scene.scheme.spacing),
-      latticeFilling_(latticeSum(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing))
+      lattice_{latticeSum(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing),
+               latticeSupport(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing)}
 {
 }
 

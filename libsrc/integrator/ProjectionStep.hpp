@@ -3,6 +3,7 @@
 #pragma once
 #include "boundaries/WallGuard.hpp"
 #include "core/Timers.hpp"
+#include "integrator/Filling.hpp"
 #include "integrator/Scene.hpp"
 #include "integrator/StepFields.hpp"
 
@@ -45,7 +46,7 @@ protected:
     Timers& timers_;
     WallGuard<Dim> guard_;
     StepFields<Dim> fields_;
-    Real latticeFilling_;   ///< sum_j V_j W_ij on a full lattice of spacing d0
+    LatticeSums lattice_;   ///< of spacing d0
 };
 
 extern template class ProjectionStep<2>;

@@ -16,7 +16,9 @@ std::unique_ptr<Kernel> Kernel::select(const Dictionary& dict, std::string_view 
     return table().select(dict, key);
 }
 
-Real latticeSum(const Kernel& kernel, int dimension, Real hOverSpacing)
+namespace {
+/// sum over a full lattice of f(q, w, w'/q), as that of V W
+Real overLattice(const Kernel& kernel, int dimension, Real hOverSpacing, auto&& f)
 {
     const int m = static_cast<int>(std::ceil(kernel.supportRadius() * hOverSpacing));
     const int mz = dimension == 3 ? m : 0;
@@ -28,9 +30,20 @@ Real latticeSum(const Kernel& kernel, int dimension, Real hOverSpacing)
                 if (q >= kernel.supportRadius()) continue;
                 Real w = 0, slope = 0;
                 kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
-                sum += w;
+                sum += f(q, w, slope);
             }
     return sum * kernel.normalisation(dimension) / std::pow(hOverSpacing, dimension);
+}
+}  // namespace
+
+Real latticeSum(const Kernel& kernel, int dimension, Real hOverSpacing)
+{
+    return overLattice(kernel, dimension, hOverSpacing, [](Real, Real w, Real) { return w; });
+}
+
+Real latticeSupport(const Kernel& kernel, int dimension, Real hOverSpacing)
+{
+    return overLattice(kernel, dimension, hOverSpacing, [](Real q, Real, Real slope) { return -q * q * slope; });
 }
 
 }  // namespace isph

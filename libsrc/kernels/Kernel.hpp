@@ -30,4 +30,7 @@ public:
 /// sum_j d0^D W(x_j, h) over a full lattice of spacing d0 with a point at x = 0, in 2 or 3 dimensions.
 Real latticeSum(const Kernel& kernel, int dimension, Real hOverSpacing);
 
+/// lambda = -sum V x.gradW over a full lattice, about the dimension.                      [theory (2.7)]
+Real latticeSupport(const Kernel& kernel, int dimension, Real hOverSpacing);
+
 }  // namespace isph

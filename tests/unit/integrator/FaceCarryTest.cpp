@@ -7,45 +7,60 @@ using namespace isph;
 
 namespace {
 
-constexpr Real kAlong = 0.3;   // pore velocity along the faces [m/s]; the Darcy velocity through them is 1
-
-/// Water that flows slantwise through a strip without resistance, in a shaken packing: v = 1 through its faces and
-/// u = 0.3 along them stay what they are, (1.2).
-Scene<2> slantwiseFlow()
+/// Water that flows through a strip without resistance in a shaken packing. Its Darcy velocity through the faces, 1, and
+/// its pore velocity along them stay what they are, (1.2).
+Scene<2> flowThroughStrip(Real along)
 {
     Scene<2> s = SceneBuilder<2>(0.025).force({}).viscosity(0)
         .water({0, 0}, {0.25, 0.3}).waterCells({0.25, 0}, {0.75, 0.3}, {12, 8}).water({0.75, 0}, {1, 0.3})
-        .shakeWater(0.1).soil({0.25, 0}, {0.75, 0.3}, "porousModel darcy; darcyCoeffs { porosity 0.4; K 1e6; }")
+        .shakeWater(0.1).soil({0.25, 0}, {0.75, 0.3}, "porousModel darcy; darcyCoeffs { porosity 0.4; K 1e9; }")
         .periodic({0, 0}, {1, 0.3}, {true, true}).build();
-    // Uneven packings are at rest without these.
-    s.scheme.stabilisation = Stabilisation::none, s.scheme.shifting = 0;
+    // Uneven packings are at rest without these; the Darcy velocity along a face changes through it.
+    s.scheme.stabilisation = Stabilisation::none, s.scheme.shifting = 0, s.scheme.dissipation = 0;
     PorousState<2> state;
     s.porous->evaluate(s.water.x, state);
-    for (std::size_t i = 0; i < s.water.size(); ++i) s.water.u[i] = s.water.uOld[i] = {1 / state.porosity[i], kAlong};
+    for (std::size_t i = 0; i < s.water.size(); ++i) s.water.u[i] = s.water.uOld[i] = {1 / state.porosity[i], along};
     return s;
 }
 
-TEST(FaceCarry, AUniformFlowThroughAFaceWithoutResistanceStaysUniform)
-{
-    Scene<2> s = slantwiseFlow();
-    s.scheme.dissipation = 0;   // v along the face changes through it
+/// Largest changes of both in 50 ms, in which particles go two spacings in clear water and five in the pores.
+struct Change {
     Real through = 0, along = 0;
-    // Particles go two spacings in clear water and five in the pores.
+};
+Change changeOf(Real along)
+{
+    Scene<2> s = flowThroughStrip(along);
+    Change change;
     advance<2>(s, 1e-3, 50, [&](int, const StepFields<2>& fields) {
         for (std::size_t i = 0; i < s.water.size(); ++i) {
-            through = std::max(through, std::abs(fields.soil.porosity[i] * s.water.u[i][0] - 1));
-            along = std::max(along, std::abs(s.water.u[i][1] - kAlong));
+            change.through = std::max(change.through, std::abs(fields.soil.porosity[i] * s.water.u[i][0] - 1));
+            change.along = std::max(change.along, std::abs(s.water.u[i][1] - along));
         }
     });
-    // The solver leaves 1e-11; u along the face feels that the divergence of v along it is not exactly zero.
-    EXPECT_LT(through, 1e-2);
-    EXPECT_LT(along, 1e-2);
+    return change;
+}
+
+TEST(FaceCarry, AUniformFlowThroughAFaceWithoutResistanceIsExact)
+{
+    // Kernels of pairs and the matrix are in single precision, 6e-8, and the pressure falls by 3.4 v^2. Were u carried,
+    // 0.24.
+    const Change change = changeOf(0);
+    EXPECT_LT(change.through, 1e-5);
+    EXPECT_LT(change.along, 1e-5);
+}
+
+TEST(FaceCarry, AlongAFaceWaterKeepsItsPoreVelocity)
+{
+    // The Darcy velocity along the face is another in each depth; its divergence, zero, is that of an uneven packing.
+    const Change change = changeOf(0.3);
+    EXPECT_LT(change.through, 0.01);
+    EXPECT_LT(change.along, 0.01);
 }
 
 TEST(FaceCarry, TheDarcyVelocityOfARestartIsThatOfItsPorosity)
 {
-    // Half a step further the porosities are others; a history tells which ones belonged to the velocities.
-    Scene<2> s = slantwiseFlow();
+    // Without shifting particles stay where the step found their velocities.
+    Scene<2> s = flowThroughStrip(0);
     advance<2>(s, 1e-3, 3);
     ASSERT_EQ(s.water.porosity.size(), s.water.size());
     PorousState<2> before;
