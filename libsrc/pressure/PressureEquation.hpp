@@ -30,12 +30,12 @@ struct PressureSource {
 };
 
 /// Row i, multiplied by V_i so that the matrix is symmetric:                              [theory (5.1)]
-///   sum_j V_j F_ij beta_ij [(p_j - p_i)/rho - g.(x_j - x_i)] - beta_i c_i.T_i = D_i - divergence_i
+///   sum_j V_j F_ij beta_ij [(p_j - p_i)/rho + B_ij - g.(x_j - x_i)] - beta_i c_i.T_i = D_i - divergence_i
 /// over water partners; walls are left out, which makes them impermeable (natural Neumann condition).
 /// p is known at surface particles. T_i = sum_j V_j F_ij x_ji over water and walls is what the surface cuts
 /// off a support, and the disorder of a packing; the term makes the row exact for a linear pressure, at rest
 /// as in free fall, and for a uniform flow through faces of soil.                               (5.4)
-/// The unknown is p/rho0.
+/// The unknown is p/rho0. B_ij is what the speed in pores takes of it                        (3.13).
 template <int Dim, class Medium>
 void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corrections<Dim>& corrections,
               const std::vector<SurfaceRole>& role, const Medium& medium,
