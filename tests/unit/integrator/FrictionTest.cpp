@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../SceneBuilder.hpp"
+#include "integrator/FaceCarry.hpp"
 #include "integrator/FaceFilter.hpp"
 #include "integrator/Predictor.hpp"
 
@@ -25,6 +26,12 @@ struct Predicted {
     {
         step.look();
         const std::vector<Real> noDrag(fields().points.fluid, 0);
+        if (scene.porous) {
+            const auto porosity = fields().soil.porosity.begin();
+            scene.water.porosity.assign(porosity, porosity + fields().points.water);
+            scene.water.porosityOld = scene.water.porosity;
+            carryThroughFaces(scene.water, kStep, fields());
+        }
         if (scene.porous) in(scene, WaterInSoil<2>{kStep.dtPrime(), fields().soil, noDrag, scene.scheme.spacing});
         else in(scene, ClearWater<2>{kStep.dtPrime()});
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../SceneBuilder.hpp"
 #include "integrator/Corrector.hpp"
+#include "integrator/FaceCarry.hpp"
 #include "integrator/Predictor.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +67,12 @@ OneStep predictAndCorrect()
     fields.resistance.resize(fields.points.fluid);
     fields.points.refresh(fields.resistance);
     const StepWeights weights{1e-3, 0.8};
-    const WaterInSoil<2> medium{weights.dtPrime(), fields.soil, fields.resistance, scene.scheme.spacing};
+    const auto end = fields.soil.porosity.begin() + fields.points.water;
+    scene.water.porosity.assign(fields.soil.porosity.begin(), end), scene.water.porosityOld = scene.water.porosity;
+    for (Real& eps : scene.water.porosityOld) eps = 0.9 * eps;   // as if all had come to a face
+    carryThroughFaces(scene.water, weights, fields);
+    const WaterInSoil<2> medium{weights.dtPrime(), fields.soil, fields.resistance, scene.scheme.spacing, fields.face.v,
+                                fields.face.carriesDarcy};
     predict(scene.water, scene.wallCloud, medium, scene.scheme, weights, fields);
     OneStep result;
     result.predicted = fields.v;
