@@ -128,6 +128,33 @@ TEST_F(Compare, ASeriesIsHeldAgainstAReferenceAtItsTimes)
     EXPECT_NEAR(measure("max", inPerCent(all)), 100 * 0.3 / 2.3, 1e-12);
 }
 
+TEST_F(Compare, ABandLeavesOutWhatLiesWithinIt)
+{
+    // The speed falls to -3 at 1 s and rises to 2 at 2 s: 5 m/s in a second; the band is -2 to 0, then 1 to 3.
+    writeText("band.csv", "t,speed,low,high\n1,-1,-2,0\n1.5,-1,-2,0\n1.500001,2,1,3\n2,2,1,3\n");
+    const Expectation band{0, folder_ / "band.csv", true};
+    const std::vector<Sample> all = samples(series("maxSpeed"), band);
+    // Outside until -2 is reached at 1.2 s, within until 1.5 s, outside until 1 is reached at 1.8 s.
+    EXPECT_NEAR(measure("outside", all), 50, 0.2);
+    EXPECT_NEAR(measure("max", all), 1.5, 0.01);
+    Source late = series("maxSpeed");
+    late.from = 1.8;
+    EXPECT_NEAR(measure("outside", samples(late, band)), 0, 0.5);
+}
+
+TEST_F(Compare, AMovingAverageIsThatOfTheLinesBetweenTheRows)
+{
+    // Rows 0, -3, 2, 1: over one second about 1 s the mean is that of -1.5 .. -3 and -3 .. -0.5.
+    Source source = series("maxSpeed");
+    source.average = 1;
+    const std::vector<Sample> all = samples(source, {});
+    ASSERT_EQ(all.size(), 4U);
+    EXPECT_NEAR(all[1].measured, (0.5 * -2.25 + 0.5 * -1.75), 1e-12);
+    EXPECT_NEAR(all[0].measured, -0.75, 1e-12);   // half of it lies before the first row
+    source.average = 1e-9;
+    EXPECT_NEAR(samples(source, {})[1].measured, -3, 1e-6);
+}
+
 TEST_F(Compare, AProfileIsInterpolatedInPlaceAndTimeAcrossARestart)
 {
     // 10 mm above the exact surface at one point, 20 mm below it at the other; a third time is not

@@ -21,6 +21,7 @@ namespace {
 
 constexpr Real kSameTime = 1e-6;  // relative; times in tables are typed, those of runs summed
 constexpr Real kOverhang = 0.05;  // of a profile's length
+constexpr int kBandSamples = 2000;
 
 struct Curve {
     std::string name;
@@ -110,6 +111,30 @@ bool matches(const std::string& column, const std::string& patterns)
     return false;
 }
 
+/// Its mean over `width` about each of its points; at the ends over what there is.
+Curve averaged(const Curve& curve, Real width)
+{
+    const std::size_t n = curve.x.size();
+    std::vector<Real> integral(n, 0);
+    for (std::size_t k = 1; k < n; ++k)
+        integral[k] = integral[k - 1] + (curve.y[k] + curve.y[k - 1]) / 2 * (curve.x[k] - curve.x[k - 1]);
+    // Up to x: of the rows below it, and of the piece of a straight line from the last of them.
+    const auto upTo = [&](Real x) {
+        if (x >= curve.x.back()) return integral.back();
+        const auto above = std::upper_bound(curve.x.begin(), curve.x.end(), x);
+        const auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - curve.x.begin(), 1)) - 1;
+        const Real length = x - curve.x[k], slope = (curve.y[k + 1] - curve.y[k]) / (curve.x[k + 1] - curve.x[k]);
+        return integral[k] + length * (curve.y[k] + slope * length / 2);
+    };
+    Curve mean = curve;
+    for (std::size_t k = 0; k < n && n > 1; ++k) {
+        const Real from = std::max(curve.x.front(), curve.x[k] - width / 2);
+        const Real to = std::min(curve.x.back(), curve.x[k] + width / 2);
+        if (to > from) mean.y[k] = (upTo(to) - upTo(from)) / (to - from);
+    }
+    return mean;
+}
+
 std::vector<Curve> seriesOf(const Source& source)
 {
     const DataTable table = readData(source.series);
@@ -119,6 +144,8 @@ std::vector<Curve> seriesOf(const Source& source)
         curves.push_back({table.columns[c], timesOf(table), {}});
         for (const auto& row : table.rows) curves.back().y.push_back(row[c]);
     }
+    if (source.average > 0)
+        for (Curve& curve : curves) curve = averaged(curve, source.average);
     if (curves.empty())
         throw FatalError(fmt::format("{} has no column {}\n\nIts columns are:\n\n{}",
                                      source.series.string(), source.columns,
@@ -170,12 +197,34 @@ Real frontOf(const Curve& curve, Real level)
     return curve.x[k - 1] + share * (curve.x[k] - curve.x[k - 1]);
 }
 
+/// Measured values beside those of the band that lie nearest, at evenly spaced times of the reference.
+std::vector<Sample> besideBand(const std::vector<Curve>& curves, const Source& source, const Table& reference)
+{
+    Curve low{"band", {}, {}}, high = low;
+    for (const auto& row : reference) {
+        low.x.push_back(row[0]), low.y.push_back(row[2]);
+        high.x.push_back(row[0]), high.y.push_back(row[3]);
+    }
+    const Real from = std::max(source.from, low.x.front()), to = std::min(source.to, low.x.back());
+    std::vector<Sample> all;
+    for (const Curve& curve : curves)
+        for (int k = 0; k <= kBandSamples && from <= to; ++k) {
+            const Real time = from + (to - from) * k / kBandSamples;
+            const Real value = valueAtTime(curve, time - source.delay);
+            const Real least = valueAt(low, time, 0, "time"), most = valueAt(high, time, 0, "time");
+            all.push_back({time, value, value < least ? least : value > most ? most : value});
+        }
+    return all;
+}
+
 std::vector<Sample> fromSeries(const std::vector<Curve>& curves, const Source& source,
                                const Expectation& expectation)
 {
     std::vector<Sample> all;
-    const Table reference =
-        expectation.reference.empty() ? Table{} : readReference(expectation.reference, 2);
+    const Table reference = expectation.reference.empty()
+                                ? Table{}
+                                : readReference(expectation.reference, expectation.band ? 4 : 2);
+    if (expectation.band) return besideBand(curves, source, reference);
     const auto wanted = [&](Real t) { return t >= source.from && t <= source.to; };
     for (const Curve& curve : curves) {
         if (!reference.empty()) {
@@ -243,7 +292,7 @@ std::vector<Sample> samples(const Source& source, const Expectation& expectation
 
 std::vector<std::string> measureNames()
 {
-    return {"last", "mean", "max", "min", "rms", "range"};
+    return {"last", "mean", "max", "min", "rms", "range", "outside"};
 }
 
 Real measure(const std::string& name, const std::vector<Sample>& all)
@@ -254,6 +303,10 @@ Real measure(const std::string& name, const std::vector<Sample>& all)
     if (name == "range") {
         const auto [low, high] = std::minmax_element(all.begin(), all.end(), byValue);
         return high->measured - low->measured;
+    }
+    if (name == "outside") {
+        const auto off = std::count_if(all.begin(), all.end(), [](const Sample& s) { return s.measured != s.expected; });
+        return 100 * static_cast<Real>(off) / static_cast<Real>(all.size());
     }
     Real latest = all.front().time, sum = 0, squares = 0, largest = 0,
          smallest = std::numeric_limits<Real>::infinity();

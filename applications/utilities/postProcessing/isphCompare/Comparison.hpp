@@ -29,6 +29,7 @@ struct Source {
     std::vector<Real> times;    ///< where given, values at these times, between rows linearly
     Real from, to;              ///< else the rows between these times
     Real delay = 0;             ///< how much later than the run a series' reference began
+    Real average = 0;           ///< width of the moving average that is taken of a series [s]
 };
 
 /// What they are held against: a table, or one number.
@@ -36,22 +37,25 @@ struct Expectation {
     Real value = 0;
     std::filesystem::path
         reference;  ///< csv of t, value for a series; of t, x, value for a profile
+    bool band = false;  ///< of t, value, low, high: what lies between low and high is as expected
 };
 
 /// The samples, pooled over columns, times and points.
 /// A series with a reference is compared at the times of the reference, a profile at its points at
 /// the times of the source (all of the reference's, where none are given). A point of the reference
-/// may lie outside the profile by 5 % of its length, a time after the last row by one row. errors
+/// may lie outside the profile by 5 % of its length, a time after the last row by one row.
+/// A band is compared at evenly spaced times; the expected value is that of the band next to the measured one.
+/// errors
 /// FatalError, FatalIOError: no such file, column, time or point; a value that is no number
 std::vector<Sample> samples(const Source& source, const Expectation& expectation);
 
-/// Names of the measures: last mean max min rms range.
+/// Names of the measures: last mean max min rms range outside.
 std::vector<std::string> measureNames();
 
 /// One number >= 0 for the deviations d = measured - expected, no number where one of them is none:
 ///   last   |mean of d at the latest time|     mean  |mean of d|     rms  root of the mean of d^2
 ///   max    largest |d|                        min   smallest |d|
-///   range  largest less smallest measured value
+///   range  largest less smallest measured value       outside  share of the samples with d other than 0 [%]
 Real measure(const std::string& name, const std::vector<Sample>& all);
 
 /// Samples in per cent of the largest |expected|. Throws FatalError where that is 0.

@@ -37,6 +37,9 @@ constexpr const char* kDescription =
     "    isphCompare -name volume -unit % -bound 2 -series postProcessing/volume -column "
     "difference\n"
     "        -scale 100\n"
+    "  a gauge, averaged over 5 ms, at most 20 % of the time outside a measured band t,p,low,high\n"
+    "    isphCompare -name gauge -unit % -bound 20 -series postProcessing/gauge -column p_0\n"
+    "        -average 0.005 -reference reference/gauge.csv -band -measure outside\n"
     "  a number that a script found\n"
     "    isphCompare -name solids -unit kg -bound 1e-9 -value $mass -expect 12.5";
 
@@ -62,9 +65,12 @@ void declare(CommandLine& line)
         .option("delay", "most",
                 "a series' reference may have begun later than the run, by up to this time [s]: the "
                 "delay that fits best counts and is printed")
-        .option(
-            "measure", "name",
-            "last, mean, max (where absent), min or rms of the deviations, or range of the values")
+        .option("average", "width", "takes the moving average of a series over this time [s]")
+        .flag("band",
+              "the reference of a series is t,value,low,high, and nothing is subtracted but what lies beyond")
+        .option("measure", "name",
+                "last, mean, max (where absent), min or rms of the deviations, range of the values, or "
+                "outside: the share of those that deviate [%]")
         .option("scale", "factor", "multiplies measured and expected values")
         .flag("relative", "in per cent of what is expected, the largest of a reference");
 }
@@ -99,6 +105,8 @@ void checkCombination(const CommandLine& line)
     only("to", series && !line.has("times"), "belongs to a series without -times");
     only("reference", !line.has("value"), "does not go with -value");
     only("delay", series && line.has("reference"), "belongs to a series' -reference");
+    only("band", series && line.has("reference"), "belongs to a series' -reference");
+    only("average", line.has("series"), "belongs to -series");
     only("expect", !line.has("reference"), "does not go with -reference");
     if (line.has("series") && !line.has("column")) throw FatalError("-series needs -column");
     if (line.has("profile") && !series && !line.has("reference"))
@@ -126,13 +134,14 @@ Source sourceOf(const CommandLine& line)
     if (line.has("times")) source.times = numbers("times", line.value("times"));
     source.from = line.number("from", -infinity);
     source.to = line.number("to", infinity);
+    source.average = line.number("average", 0);
     return source;
 }
 
 int compare(const CommandLine& line)
 {
     checkCombination(line);
-    Expectation expectation{line.number("expect", 0), {}};
+    Expectation expectation{line.number("expect", 0), {}, line.has("band")};
     if (line.has("reference")) expectation.reference = line.caseDir() / line.value("reference");
     const Real scale = line.number("scale", 1);
     const auto deviation = [&](Real delay) {
