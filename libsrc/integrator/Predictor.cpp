@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrator/Predictor.hpp"
 
+#include "boundaries/WallLaw.hpp"
 #include "operators/Gradient.hpp"
 #include "operators/SupportFactor.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace isph {
@@ -266,6 +268,26 @@ Mat<Dim> stressOf(Index i, const Medium& medium, const StepFields<Dim>& fields,
     return sum.total() * fields.corrections.Lwater(i);
 }
 
+/// What the boundary layer at the nearest wall takes from a particle, whose Darcy velocity is v_i.  [theory (6.11)]
+template <int Dim>
+Vec<Dim> wallLawOf(Index i, const Vec<Dim>& v_i, Real porosity, const WallCloud<Dim>& walls, const Scheme<Dim>& scheme,
+                   const StepFields<Dim>& fields)
+{
+    const Real spacing = scheme.spacing * fields.points.h[i] / scheme.h0;
+    Real nearest = std::numeric_limits<Real>::max(), height = 0;
+    Index wall = -1;
+    fields.pairs.forWalls(i, [&](const auto& pair) {
+        const Index k = pair.j - fields.points.fluid;
+        if (normSqr(pair.x_ij) >= nearest || walls.depth[k] >= scheme.spacing) return;
+        nearest = normSqr(pair.x_ij), wall = k, height = dot(pair.x_ij, walls.normal[k]) - walls.depth[k];
+    });
+    if (wall < 0 || !walls.wallLaw[wall]) return {};
+    const Vec<Dim> passing = v_i - porosity * walls.velocity[wall];
+    const Vec<Dim> along = passing - dot(passing, walls.normal[wall]) * walls.normal[wall];
+    const Real stress = wallStress(norm(along), std::max(height, Real(0.5) * spacing), scheme.viscosity);
+    return -stress * wallLayer(height, spacing) * unit(along);
+}
+
 /// Accelerations of a particle by friction and dissipation.
 template <bool Viscous, int Dim, class Medium>
 Vec<Dim> rateOf(Index i, const Medium& medium, const WallCloud<Dim>& walls, const Scheme<Dim>& scheme, Real most,
@@ -294,6 +316,8 @@ Vec<Dim> rateOf(Index i, const Medium& medium, const WallCloud<Dim>& walls, cons
             rate -= weight * nu_i * walls.slip(k, pair.x_ij, v_i, medium.porosity(i), scheme.spacing);
             side += weight * pair.x_ij;
         });
+    if (!walls.wallLaw.empty() && pairs.wallNeighbours(i) > 0)
+        rate += wallLawOf<Dim>(i, v_i, medium.porosity(i), walls, scheme, fields);
     const bool inner = std::abs(own[C::part]) == C::kInner, clear = pairs.wallNeighbours(i) == 0;
     // Where slip walls cut the support the Laplacian stays as it is.
     if (inner && (clear || !walls.noSlip.empty())) {

@@ -118,7 +118,7 @@ void requireAlongItself(const Dictionary& condition, const WallCloud<Dim>& walls
         condition.fail("velocity", "The velocity of a wall lies along its surface; walls that move through the water are not built.");
 }
 
-/// Walls that water sticks to, with their velocities, told to the wall cloud.
+/// Walls with friction, and their velocities, told to the wall cloud.
 template <int Dim>
 void readFriction(const CaseFiles& files, const std::vector<std::string>& names, WallCloud<Dim>& walls)
 {
@@ -130,11 +130,14 @@ void readFriction(const CaseFiles& files, const std::vector<std::string>& names,
             conditions.fail(name, "There is no wall " + name + ". Walls of this case:\n" + listOf(names));
         const Dictionary& condition = conditions.subDict(name);
         wallConditionKeys().check(condition);
-        const bool sticks = wallConditionKeys().get<std::string>(condition, "condition") == "noSlip";
-        if (!sticks && condition.found("velocity"))
+        const std::string kind = wallConditionKeys().get<std::string>(condition, "condition");
+        if (kind == "slip" && condition.found("velocity"))
             condition.fail("velocity", "A wall that slips drags no water along: condition noSlip belongs to a velocity.");
-        if (!sticks) continue;
-        walls.noSlip.resize(walls.size()), walls.velocity.resize(walls.size());
+        if (kind == "slip") continue;
+        if (kind == "wallLaw" && readProjection(files.schemes) == Projection::paper)
+            condition.fail("condition", "The paper's projection has no wall law: condition slip or noSlip.");
+        auto& marked = kind == "noSlip" ? walls.noSlip : walls.wallLaw;
+        marked.resize(walls.size()), walls.velocity.resize(walls.size());
         const std::int64_t wall = it - names.begin();
         Vec<Dim> velocity;
         if (condition.found("velocity")) {
@@ -143,7 +146,7 @@ void readFriction(const CaseFiles& files, const std::vector<std::string>& names,
             requireAlongItself(condition, walls, wall, velocity);
         }
         for (std::size_t k = 0; k < walls.size(); ++k)
-            if (walls.wall[k] == wall) walls.noSlip[k] = 1, walls.velocity[k] = velocity;
+            if (walls.wall[k] == wall) marked[k] = 1, walls.velocity[k] = velocity;
     }
 }
 

@@ -81,7 +81,7 @@ void logScene(const CaseFiles& files, const Scene<Dim>& scene)
     const bool hasZones = !files.porousZones.keywords().empty();
     parts.add(true, "water", "");
     parts.add(scene.walls.size() > 0, "walls", "no walls.vtp");
-    parts.add(!scene.wallCloud.noSlip.empty(), "wall friction", "all walls slip");
+    parts.add(!scene.wallCloud.noSlip.empty() || !scene.wallCloud.wallLaw.empty(), "wall friction", "all walls slip");
     parts.add(scene.box.any(), "periodic images", "no periodic direction");
     parts.add(scene.porous != nullptr, "porous media", hasZones ? "no soil particles" : "no constant/porousZones");
     parts.add(scene.turbulence != nullptr, "turbulence", "laminar");

@@ -152,4 +152,45 @@ TEST(Dissipation, LeavesToFrictionWhatItDoesByItself)
     EXPECT_EQ(frictionError(32, 0, 1), frictionError(32, 0, 0));
 }
 
+/// The force per area that a wall law takes from a uniform stream of `speed` over it, over the density: the loss of
+/// momentum of all water. Spacing 1; the stream is 10 deep and 12 long.
+Real dragOfStream(Real speed, Real nu, Real shaken)
+{
+    constexpr Real L = 12, depth = 10;
+    SceneBuilder<2> builder(1);
+    Scene<2> scene = builder.viscosity(nu).force({}).water({0, 0}, {L, depth}, {speed, 0}).shakeWater(shaken)
+                         .tank({0, 0}, {L, 2 * depth}, [](const Vec<2>& x) { return x[1] > 0 || x[0] < 0 || x[0] > L; })
+                         .periodic({0, 0}, {L, 2 * depth}, {true, false}).build();
+    WallCloud<2>& walls = scene.wallCloud;
+    walls.wallLaw.assign(walls.size(), 1), walls.velocity.resize(walls.size());
+    Predicted predicted(scene);
+    Real loss = 0;
+    for (std::size_t i = 0; i < scene.water.size(); ++i)
+        loss += (scene.water.u[i] - predicted.fields().v[i])[0] / kStep.dt;
+    return loss / L;
+}
+
+TEST(WallLaw, TakesItsStressFromTheWaterAtTheWall)
+{
+    // speed = 8.3 u* (y u*/nu)^(1/7) at y = d0/2 with u* = 0.1 and nu = 1e-5; y u*/nu = 5000
+    const Real speed = 8.3 * 0.1 * std::pow(5000, 1.0 / 7);
+    EXPECT_NEAR(dragOfStream(speed, 1e-5, 0) / sqr(0.1), 1, 1e-10);
+    EXPECT_NEAR(dragOfStream(-speed, 1e-5, 0) / sqr(0.1), -1, 1e-10);
+}
+
+TEST(WallLaw, IsLaminarWhereTheLayerIsThick)
+{
+    EXPECT_NEAR(dragOfStream(1e-3, 1e-3, 0) / (1e-3 * 1e-3 / 0.5), 1, 1e-10);   // y u*/nu = 0.7
+}
+
+TEST(WallLaw, TakesItWhereverTheParticlesOfTheLayerStand)
+{
+    EXPECT_NEAR(dragOfStream(1, 1e-5, 0.2) / dragOfStream(1, 1e-5, 0), 1, 0.05);
+}
+
+TEST(WallLaw, OfAFrictionlessFluidIsNone)
+{
+    EXPECT_EQ(dragOfStream(1, 0, 0.2), 0);
+}
+
 }  // namespace
