@@ -117,13 +117,16 @@ Curve averaged(const Curve& curve, Real width)
     const std::size_t n = curve.x.size();
     std::vector<Real> integral(n, 0);
     for (std::size_t k = 1; k < n; ++k)
-        integral[k] = integral[k - 1] + (curve.y[k] + curve.y[k - 1]) / 2 * (curve.x[k] - curve.x[k - 1]);
+        integral[k] = integral[k - 1] +
+                      (curve.y[k] + curve.y[k - 1]) / 2 * (curve.x[k] - curve.x[k - 1]);
     // Up to x: of the rows below it, and of the piece of a straight line from the last of them.
     const auto upTo = [&](Real x) {
         if (x >= curve.x.back()) return integral.back();
         const auto above = std::upper_bound(curve.x.begin(), curve.x.end(), x);
-        const auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - curve.x.begin(), 1)) - 1;
-        const Real length = x - curve.x[k], slope = (curve.y[k + 1] - curve.y[k]) / (curve.x[k + 1] - curve.x[k]);
+        const auto k =
+            static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - curve.x.begin(), 1)) - 1;
+        const Real length = x - curve.x[k];
+        const Real slope = (curve.y[k + 1] - curve.y[k]) / (curve.x[k + 1] - curve.x[k]);
         return integral[k] + length * (curve.y[k] + slope * length / 2);
     };
     Curve mean = curve;
@@ -197,8 +200,9 @@ Real frontOf(const Curve& curve, Real level)
     return curve.x[k - 1] + share * (curve.x[k] - curve.x[k - 1]);
 }
 
-/// Measured values beside those of the band that lie nearest, at evenly spaced times of the reference.
-std::vector<Sample> besideBand(const std::vector<Curve>& curves, const Source& source, const Table& reference)
+/// Measured values beside those of the band that lie nearest, at evenly spaced times.
+std::vector<Sample> besideBand(const std::vector<Curve>& curves, const Source& source,
+                               const Table& reference)
 {
     Curve low{"band", {}, {}}, high = low;
     for (const auto& row : reference) {
@@ -305,7 +309,9 @@ Real measure(const std::string& name, const std::vector<Sample>& all)
         return high->measured - low->measured;
     }
     if (name == "outside") {
-        const auto off = std::count_if(all.begin(), all.end(), [](const Sample& s) { return s.measured != s.expected; });
+        const auto off = std::count_if(all.begin(), all.end(), [](const Sample& s) {
+            return s.measured != s.expected;
+        });
         return 100 * static_cast<Real>(off) / static_cast<Real>(all.size());
     }
     Real latest = all.front().time, sum = 0, squares = 0, largest = 0,
