@@ -140,6 +140,10 @@ TEST_F(Compare, ABandLeavesOutWhatLiesWithinIt)
     Source late = series("maxSpeed");
     late.from = 1.8;
     EXPECT_NEAR(measure("outside", samples(late, band)), 0, 0.5);
+    // From 2 to 3 s it falls from 2 to 1.
+    writeText("below.csv", "t,speed,low,high\n2,1,0,1.5\n3,1,0,1.5\n");
+    const Expectation below{0, folder_ / "below.csv", true};
+    EXPECT_NEAR(measure("outside", samples(series("maxSpeed"), below)), 50, 0.2);
 }
 
 TEST_F(Compare, AMovingAverageIsThatOfTheLinesBetweenTheRows)

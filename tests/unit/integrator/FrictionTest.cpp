@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../SceneBuilder.hpp"
+#include "boundaries/WallLaw.hpp"
 #include "integrator/FaceCarry.hpp"
 #include "integrator/FaceFilter.hpp"
 #include "integrator/Predictor.hpp"
@@ -176,6 +177,14 @@ TEST(WallLaw, TakesItsStressFromTheWaterAtTheWall)
     const Real speed = 8.3 * 0.1 * std::pow(5000, 1.0 / 7);
     EXPECT_NEAR(dragOfStream(speed, 1e-5, 0) / sqr(0.1), 1, 1e-10);
     EXPECT_NEAR(dragOfStream(-speed, 1e-5, 0) / sqr(0.1), -1, 1e-10);
+}
+
+TEST(WallLaw, SharesItsStressOverTheLayer)
+{
+    constexpr Real spacing = 0.02, step = 1e-4 * spacing;
+    Real sum = 0;
+    for (int k = 0; k < 20000; ++k) sum += step * wallLayer((k + 0.5) * step, spacing);
+    EXPECT_NEAR(sum, 1, 1e-6);
 }
 
 TEST(WallLaw, IsLaminarWhereTheLayerIsThick)
