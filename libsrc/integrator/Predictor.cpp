@@ -364,7 +364,8 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
     parallelFor(points.fluid, [&](Index i) {
         for (int d = 0; d < Dim; ++d) carried[i][C::x + d] = points.x[i][d];
     });
-    if (scheme.dissipation > 0 || scheme.viscosity > 0) {
+    const bool rubs = scheme.dissipation > 0 || scheme.viscosity > 0 || turbulent;
+    if (rubs) {
         parallelForDynamic(points.water, [&](Index i) { velocityGradient<Medium::hasSoil>(fields, i, carried); });
         copyToImages(C::gradient, C::size);
     }
@@ -372,8 +373,10 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
     const Real most = 1 / (neighboursOfLattice(scheme) * weights.dtPrime());
     fields.v.resize(points.fluid);
     parallelForDynamic(points.water, [&](Index i) {
-        const Vec<Dim> rate = viscous ? rateOf<true>(i, medium, walls, scheme, most, fields, carried)
-                                      : rateOf<false>(i, medium, walls, scheme, most, fields, carried);
+        Vec<Dim> rate;
+        if (rubs)
+            rate = viscous ? rateOf<true>(i, medium, walls, scheme, most, fields, carried)
+                           : rateOf<false>(i, medium, walls, scheme, most, fields, carried);
         Vec<Dim> start;
         if constexpr (Medium::hasSoil) start = fields.v[i];
         else start = weights.now() * water.u[i] + weights.before() * water.uOld[i];

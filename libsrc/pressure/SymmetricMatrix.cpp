@@ -2,21 +2,11 @@
 #include "pressure/SymmetricMatrix.hpp"
 
 #include "core/Parallel.hpp"
+#include "pressure/RowTimes.hpp"
 
 #include <cmath>
 
 namespace isph {
-
-namespace {
-/// (A x)_i, terms in the order of the columns.
-inline Real rowTimes(const SymmetricMatrix& matrix, Span<const Real> x, Index i)
-{
-    Real sum = matrix.diagonal[i] * x[i];
-    for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1]; ++k)
-        sum += static_cast<Real>(matrix.offDiagonal[k]) * x[matrix.column[k]];
-    return sum;
-}
-}  // namespace
 
 void multiply(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y)
 {

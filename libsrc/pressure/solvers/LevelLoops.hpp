@@ -3,6 +3,7 @@
 #pragma once
 #include "core/Parallel.hpp"
 #include "core/Vec.hpp"
+#include "pressure/RowTimes.hpp"
 #include "pressure/SymmetricMatrix.hpp"
 
 namespace isph {
@@ -39,21 +40,8 @@ struct LevelMatrix {
 
     std::size_t size() const { return diagonal.size(); }
 
-    /// (A x)_i, summed in double. Four sums hide the latency of additions; gather instructions take
-    /// three times as long as the loads that the compiler makes of this (Zen 4).
-    Real rowTimes(Span<const Real> x, Index i) const
-    {
-        const PairIndex end = rowStart[i + 1];
-        PairIndex k = rowStart[i];
-        const auto term = [&](PairIndex at) {
-            return static_cast<Real>(offDiagonal[at]) * x[column[at]];
-        };
-        Real s0 = diagonal[i] * x[i], s1 = 0, s2 = 0, s3 = 0;
-        for (; k + 4 <= end; k += 4)
-            s0 += term(k), s1 += term(k + 1), s2 += term(k + 2), s3 += term(k + 3);
-        for (; k < end; ++k) s0 += term(k);
-        return (s0 + s1) + (s2 + s3);
-    }
+    /// (A x)_i
+    Real rowTimes(Span<const Real> x, Index i) const { return isph::rowTimes(*this, x, i); }
 };
 
 template <class Weight>

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 using namespace isph;
 
 namespace {
@@ -121,6 +124,36 @@ TEST(Friction, OfAUniformStressThroughAFaceIsNone)
     // grad v in place of the stress 0.04 and 0.08.
     EXPECT_LT(frictionOfUniformStress(0), 1e-6);
     EXPECT_LT(frictionOfUniformStress(0.1), 1e-6);
+}
+
+/// Change of the velocity of water at rest but for one particle, where passes before have left no numbers behind.
+Real changeAfterNoNumbers(Real viscosity, Real eddyViscosity)
+{
+    Scene<2> scene = SceneBuilder<2>(1).viscosity(viscosity).force({}).waterCells({0, 0}, {20, 20}, {20, 20})
+                         .periodic({0, 0}, {20, 20}, {true, true}).build();
+    scene.scheme.dissipation = 0;
+    scene.water.u[210] = scene.water.uOld[210] = {1, 0};
+    Timers timers;
+    OpenStep step(scene, timers);
+    step.look();
+    StepFields<2>& fields = step.open();
+    if (eddyViscosity > 0) fields.eddyViscosity.assign(fields.points.fluid, eddyViscosity);
+    constexpr int size = 16;
+    const auto left = fields.pairs.records<size>();
+    std::fill_n(left[0], size * fields.points.fluid, std::numeric_limits<Real>::quiet_NaN());
+    predict(scene.water, scene.wallCloud, ClearWater<2>{kStep.dtPrime()}, scene.scheme, kStep, fields);
+    return norm(fields.v[210] - scene.water.u[210]);
+}
+
+TEST(Friction, NeedsNothingWhereThereIsNone)
+{
+    EXPECT_EQ(changeAfterNoNumbers(0, 0), 0);
+}
+
+TEST(Friction, OfEddiesAloneIsThatOfAsMuchViscosity)
+{
+    EXPECT_GT(changeAfterNoNumbers(0, 1e-3), 0);
+    EXPECT_EQ(changeAfterNoNumbers(0, 1e-3), changeAfterNoNumbers(1e-3, 0));
 }
 
 /// Largest change of velocity that dissipation makes in a step of a drop that a smooth flow strains.
