@@ -6,7 +6,7 @@
 namespace isph {
 
 /// Keeps water out of walls, whatever the pressure did: a particle lower than a tenth of a spacing
-/// above a wall surface is put back to that height. Flow along walls stays half a spacing away and
+/// above a wall surface is put back to that height, in a corner above both walls. Flow along walls stays half a spacing away and
 /// never meets the guard; it is there for impacts.                                     [theory (6.6)]
 template <int Dim>
 class WallGuard {
@@ -16,6 +16,12 @@ public:
     Index keepOut(std::vector<Vec<Dim>>& x) const;
 
 private:
+    Index nearestFoot(const Vec<Dim>& x, auto&& counts) const;
+    bool areCorner(Index k, Index l) const;
+    Real lack(const Vec<Dim>& x, Index k) const;
+    Vec<Dim> wayOut(const Vec<Dim>& x, Index k) const;
+    Vec<Dim> wayOut(const Vec<Dim>& x, Index k, Index l) const;
+
     CellGrid<Dim> grid_;
     std::vector<Vec<Dim>> foot_, normal_;   ///< points of the wall surface, one of each particle next to it
     Real spacing_;

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 using namespace isph;
 
 namespace {
@@ -90,6 +93,44 @@ TEST(WallGuard, PutsBackWhatSankIntoAWallAndLeavesTheRest)
     EXPECT_NEAR(x[3][0], 0.1, 1e-14);
     EXPECT_NEAR(x[4][0], 11.9, 1e-14);
     EXPECT_EQ(x[5], (Vec<2>{6, 6}));
+}
+
+/// Two walls from the origin on, the first along y, the second turned from it by `degrees`; water between them.
+struct Corner {
+    explicit Corner(Real degrees)
+    {
+        const Real angle = degrees * std::acos(Real(-1)) / 180;
+        const std::array<Vec<2>, 2> along{{{0, 1}, {std::sin(angle), std::cos(angle)}}};
+        normal = {{{1, 0}, {-std::cos(angle), std::sin(angle)}}};
+        for (int wall = 0; wall < 2; ++wall)
+            for (int k = 1; k < 12; ++k) {
+                walls.x.push_back(0.25 * k * along[wall]), walls.normal.push_back(normal[wall]);
+                walls.depth.push_back(0);
+            }
+    }
+    std::array<Vec<2>, 2> normal;
+    WallCloud<2> walls;
+};
+
+TEST(WallGuard, LeadsOutOfBothWallsOfACorner)
+{
+    for (const Real degrees : {60, 90}) {
+        const Corner corner(degrees);
+        std::vector<Vec<2>> x = {{-0.1, -0.1}};
+        EXPECT_EQ(WallGuard<2>(corner.walls, 1).keepOut(x), 1);
+        for (const Vec<2>& n : corner.normal) EXPECT_NEAR(dot(x[0], n), 0.1, 1e-14) << degrees;
+    }
+}
+
+TEST(WallGuard, LeadsOutOfOneWallButNotIntoTheOther)
+{
+    const Corner wedge(10);   // 0.16 wide at y = 0.9, less than twice 0.1
+    std::vector<Vec<2>> x = {{0.2, 0.9}, {-0.05, 0.9}, {0.1, 0.9}};
+    EXPECT_EQ(WallGuard<2>(wedge.walls, 1).keepOut(x), 3);
+    for (const Vec<2>& at : x) {
+        EXPECT_NEAR(dot(at, wedge.normal[0]), dot(at, wedge.normal[1]), 1e-14);
+        EXPECT_GT(dot(at, wedge.normal[0]), 0.07);
+    }
 }
 
 TEST(WallGuard, WithoutWallsMovesNothing)
