@@ -89,12 +89,12 @@ private:
     /// B_ij, half where but one of the two carries v.                                       [theory (3.13)]
     Lanes swiftnesses(const Index* j) const
     {
-        Lanes swiftness{};
+        Lanes all{};
         for (int l = 0; l < kLanes; ++l) {
             const int carriers = medium.carries(i) + medium.carries(j[l]);
-            if (carriers > 0) swiftness[l] = Real(0.5) * carriers * medium.swiftness(i, j[l]);
+            if (carriers > 0) all[l] = Real(0.5) * carriers * medium.swiftness(i, j[l]);
         }
-        return swiftness;
+        return all;
     }
     /// (s_ij - s_i)(w_i + w_j).x_ij, through a face where there is one: each pair has its own damping.        (5.2)
     Lanes heldAtFaces(const Index* j, const std::array<Lanes, Dim>& change, const std::array<Lanes, Dim>& x) const
