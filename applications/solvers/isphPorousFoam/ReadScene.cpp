@@ -132,7 +132,7 @@ void readFriction(const CaseFiles& files, const std::vector<std::string>& names,
         wallConditionKeys().check(condition);
         const std::string kind = wallConditionKeys().get<std::string>(condition, "condition");
         if (kind == "slip" && condition.found("velocity"))
-            condition.fail("velocity", "A wall that slips drags no water along: condition noSlip belongs to a velocity.");
+            condition.fail("velocity", "A wall that slips drags no water along: condition noSlip or wallLaw belongs to a velocity.");
         if (kind == "slip") continue;
         if (kind == "wallLaw" && readProjection(files.schemes) == Projection::paper)
             condition.fail("condition", "The paper's projection has no wall law: condition slip or noSlip.");

@@ -126,10 +126,12 @@ TEST(WallGuard, LeadsOutOfOneWallButNotIntoTheOther)
 {
     const Corner wedge(10);   // 0.16 wide at y = 0.9, less than twice 0.1
     std::vector<Vec<2>> x = {{0.2, 0.9}, {-0.05, 0.9}, {0.1, 0.9}};
+    const std::vector<Vec<2>> before = x;
     EXPECT_EQ(WallGuard<2>(wedge.walls, 1).keepOut(x), 3);
-    for (const Vec<2>& at : x) {
-        EXPECT_NEAR(dot(at, wedge.normal[0]), dot(at, wedge.normal[1]), 1e-14);
-        EXPECT_GT(dot(at, wedge.normal[0]), 0.07);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        EXPECT_NEAR(dot(x[i], wedge.normal[0]), dot(x[i], wedge.normal[1]), 1e-14);
+        EXPECT_GT(dot(x[i], wedge.normal[0]), 0.07);
+        EXPECT_LT(norm(x[i] - before[i]), 0.16);   // across the wedge, not up to where it is wide enough
     }
 }
 

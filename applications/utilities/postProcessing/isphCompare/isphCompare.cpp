@@ -107,6 +107,8 @@ void checkCombination(const CommandLine& line)
     only("delay", series && line.has("reference"), "belongs to a series' -reference");
     only("band", series && line.has("reference"), "belongs to a series' -reference");
     only("average", line.has("series"), "belongs to -series");
+    if (line.has("average") && !(line.number("average", 0) > 0))
+        throw FatalError("-average needs a time above 0 s");
     only("expect", !line.has("reference"), "does not go with -reference");
     if (line.has("series") && !line.has("column")) throw FatalError("-series needs -column");
     if (line.has("profile") && !series && !line.has("reference"))
