@@ -27,10 +27,11 @@ constexpr Real kSurfaceCollision = 0.95;   // in local spacings: between particl
 /// the face; pores are swifter.
 template <int Dim>
 struct Neighbour {
-    enum Place : int {
-        x = 0, u = Dim, volume = 2 * Dim, lambda, uOld, used = uOld + Dim,
-        size = (used + kLanes - 1) / kLanes * kLanes
-    };
+    /// Velocities of both times fit one record of eight. In 3-D those of the step before have one of their own and a
+    /// loop of their own, for registers do not hold the sums of both.
+    static constexpr bool bothTimes = Dim == 2;
+    enum Place : int { x = 0, u = Dim, volume = 2 * Dim, lambda, before = bothTimes ? 0 : kLanes, size = before + kLanes };
+    enum PlaceBefore : int { uOld = bothTimes ? 6 : Dim };   ///< from `before` on, x and volume as above
 };
 
 /// Sums over the water partners of a particle, those of every lane apart.
@@ -39,13 +40,14 @@ struct ShiftSum {
     using N = Neighbour<Dim>;
     const Real* own;
     Real WLattice;                            ///< W(s_i)
-    OuterSum<Dim> gradU{}, gradUOld{};        ///< without their correction
+    OuterSum<Dim> gradU{}, gradUOld{};        ///< without their correction; the latter if a record has both times
     std::array<Lanes, Dim> concentration{}, normal{};
     Lanes fastest2{};                         ///< largest |u_ij|^2
 
-    void add(const PairLanes& pairs, const std::array<Lanes, N::size>& of)
+    void add(const PairLanes& pairs, const std::array<Lanes, kLanes>& of)
     {
-        std::array<Lanes, Dim> x, u_ij, toPartner, toPartnerOld;
+        std::array<Lanes, Dim> x, u_ij, toPartner;
+        [[maybe_unused]] std::array<Lanes, Dim> toPartnerOld;
         const Lanes VSlope = of[N::volume] * pairs.slope;
         Lanes speed2{};
         for (int d = 0; d < Dim; ++d) {
@@ -53,10 +55,10 @@ struct ShiftSum {
             u_ij[d] = own[N::u + d] - of[N::u + d];
             speed2 += u_ij[d] * u_ij[d];
             toPartner[d] = -VSlope * u_ij[d];
-            toPartnerOld[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
+            if constexpr (N::bothTimes) toPartnerOld[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
         }
         gradU.add(toPartner, x);
-        gradUOld.add(toPartnerOld, x);
+        if constexpr (N::bothTimes) gradUOld.add(toPartnerOld, x);
         const Lanes share = pairs.W * (1 / WLattice), squared = share * share;
         const Lanes crowding = VSlope * (1 + kTensile * squared * squared);
         const Lanes thinning = VSlope * (of[N::lambda] - own[N::lambda]);
@@ -75,13 +77,37 @@ Records<Neighbour<Dim>::size> neighboursOf(const StepFields<Dim>& fields, const 
         Real* to = neighbours[k];
         const Index i = points.owner[k];
         const Real eps = fields.soil.porosity[i];
+        Real* before = to + N::before;
         for (int d = 0; d < Dim; ++d) {
-            to[N::x + d] = points.x[k][d];
-            to[N::u + d] = eps * water.u[i][d], to[N::uOld + d] = eps * water.uOld[i][d];
+            to[N::x + d] = before[N::x + d] = points.x[k][d];
+            to[N::u + d] = eps * water.u[i][d], before[N::uOld + d] = eps * water.uOld[i][d];
         }
-        to[N::volume] = points.volume[k], to[N::lambda] = fields.corrections.lambda[k];
+        to[N::volume] = before[N::volume] = points.volume[k], to[N::lambda] = fields.corrections.lambda[k];
     });
     return neighbours;
+}
+
+/// Gradient of the velocities of the step before, without its correction.
+template <int Dim>
+Mat<Dim> gradientBefore(const PairList<Dim>& pairs, const Records<Neighbour<Dim>::size>& neighbours, Index i,
+                        const ShiftSum<Dim>& shiftSum)
+{
+    using N = Neighbour<Dim>;
+    if constexpr (N::bothTimes) return shiftSum.gradUOld.total();
+    const Records<N::size> all(neighbours[0] + N::before);
+    const Real* own = all[i];
+    OuterSum<Dim> sum;
+    pairs.forWaterLanes(i, [&](const PairLanes& eight) {
+        const auto of = all.template gather<kLanes>(eight.j);
+        const Lanes VSlope = of[N::volume] * eight.slope;
+        std::array<Lanes, Dim> x, change;
+        for (int d = 0; d < Dim; ++d) {
+            x[d] = own[N::x + d] - of[N::x + d];
+            change[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
+        }
+        sum.add(change, x);
+    });
+    return sum.total();
 }
 
 /// dx_i of (7.1)
@@ -126,17 +152,20 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
     parallelForDynamic(n, [&](Index i) {
         const Real h = fields.points.h[i];
         ShiftSum<Dim> sum{neighbours[i], wLattice / (Dim == 2 ? sqr(h) : cube(h))};
-        fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) { sum.add(pairs, neighbours.gather(pairs.j)); });
+        fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
+            sum.add(pairs, neighbours.template gather<kLanes>(pairs.j));
+        });
         const Mat<Dim> L = fields.corrections.Lwater(i);   // symmetric
         const Mat<Dim> gradU = sum.gradU.total() * L;
         divergence[i] = fields.role[i] == SurfaceRole::inner ? sqr(dt * trace(gradU)) : 0;
         const bool inSoil = !fields.soil.share.empty() && fields.soil.share[i] > kSoilShare;
         if (scheme.shifting == 0 || fields.corrections.lambda[i] < kLeastSupport * Dim || inSoil) return;
         const Vec<Dim> step = shiftOf(scheme, dt, fields, sum, i);
+        if (normSqr(step) == 0) return;
         const Real eps = fields.soil.porosity[i];
         water.x[i] += step;
         water.u[i] += (1 / eps) * (gradU * step);
-        water.uOld[i] += (1 / eps) * (sum.gradUOld.total() * (L * step));
+        water.uOld[i] += (1 / eps) * (gradientBefore(fields.pairs, neighbours, i, sum) * (L * step));
     });
     return std::sqrt(orderedSum(n, [&](Index i) { return divergence[i]; }) / std::max<Index>(1, n));
 }

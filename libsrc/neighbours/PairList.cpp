@@ -19,13 +19,13 @@ constexpr int kSlices = 4;
 constexpr Real kEdgeSteps = 4;
 /// More room than a block of rows takes, so that it rarely moves.
 constexpr Real kRoom = 1.02;
-/// Rows with more places out of order than this share are sorted as a whole, not place by place.
+/// Rows with more places out of order than one in this many are sorted as a whole, not place by place.
 constexpr Index kNearlySorted = 8;
 constexpr Real kRounding = 1e-6;   // keeps a distance in single precision below the true one
 
-/// Writes k + l for the lanes l of `a` below zero, as far as that is less than `last`, and returns
-/// how many. It may touch kLanes places of `to`.
-Index placesBelowZero(const Lanes& a, Index k, Index last, Index* to)
+/// Writes k + l for the lanes l of `a` below zero, as far as that is less than `last`, and the same lanes
+/// of `value`; returns how many. It may touch kLanes places of both.
+Index takeBelowZero(const Lanes& a, Index k, Index last, const Lanes& value, Index* to, Real* valueTo)
 {
 #ifdef __AVX512VL__   // compilers do not make this of the loop below
     const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
@@ -33,11 +33,12 @@ Index placesBelowZero(const Lanes& a, Index k, Index last, Index* to)
     const __mmask8 inside = _mm256_cmplt_epi32_mask(place, _mm256_set1_epi32(last));
     const __mmask8 found = _mm512_mask_cmp_pd_mask(inside, a, Lanes{}, _CMP_LT_OQ);
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_maskz_compress_epi32(found, place));
+    _mm512_storeu_pd(valueTo, _mm512_maskz_compress_pd(found, value));
     return std::popcount(static_cast<unsigned>(found));
 #else
     Index n = 0;
     for (Index l = 0; l < kLanes; ++l) {
-        to[n] = k + l;
+        to[n] = k + l, valueTo[n] = value[l];
         n += (a[l] < 0) & (k + l < last);
     }
     return n;
@@ -51,74 +52,82 @@ class PairList<Dim>::RowSearch {
 public:
     RowSearch(const PairList& list, const Kernel& kernel) : list_(list), kernel_(kernel) {}
 
+    /// The partners of i.
     void find(Index i);
-
     Index size() const { return size_; }
     Index water() const { return water_; }
     const Index* j() const { return j_.data(); }
-    const float* W() const { return W_.data(); }
-    const float* slope() const { return slope_.data(); }
-    float nearest() const { return nearest_; }
+
+    /// Their kernel values and slopes; returns a distance [m] that none is within.
+    float evaluate(Index i, float* W, float* slope);
 
 private:
+    template <bool OneH>
     void near(Index i);
     void inOrder(Index i);
     void ascend(Index first, Index last);
-    void evaluate(Index i);
+    void sort(Index first, Index last);
+    template <bool OneH>
+    float evaluateRow(Real hi, float* W, float* slope);
     void reserve(std::size_t n)
     {
         if (hit_.size() >= n) return;
         n += n / 2;
-        hit_.resize(n), place_.resize(n), j_.resize(n), W_.resize(n), slope_.resize(n);
-        q_.resize(n), h_.resize(n), w_.resize(n), s_.resize(n);
+        hit_.resize(n), found2_.resize(n), j_.resize(n), place_.resize(n);
+        r2_.resize(n), q_.resize(n), h_.resize(n), w_.resize(n), s_.resize(n);
     }
 
     const PairList& list_;
     const Kernel& kernel_;
     Index size_ = 0, water_ = 0;
-    float nearest_ = 0;
-    std::vector<Index> hit_, place_, j_;   ///< places in the order of cells: as found, as listed; numbers
+    std::vector<Index> hit_;           ///< places in the order of cells, as found,
+    std::vector<Real> found2_;         ///< and |x_ij|^2
+    std::vector<Index> place_, j_;     ///< as listed; numbers
+    std::vector<Real> r2_;
     std::vector<std::uint64_t> key_;
     std::vector<Real> q_, h_, w_, s_;
-    std::vector<float> W_, slope_;
 };
 
 template <int Dim>
 void PairList<Dim>::RowSearch::find(Index i)
 {
-    near(i);
+    list_.oneH_ ? near<true>(i) : near<false>(i);
     inOrder(i);
-    evaluate(i);
 }
 
-/// hit_: places of all points within the support, i itself among them.
+/// hit_ and found2_: all points within the support, i itself among them. OneH: all have the same h.
 template <int Dim>
+template <bool OneH>
 void PairList<Dim>::RowSearch::near(Index i)
 {
     const Vec<Dim> xi = list_.points_->x[i];
     const Real half = Real(0.5) * list_.support_, hi = list_.points_->h[i];
-    std::array<const Real*, Dim> x;
-    for (int d = 0; d < Dim; ++d) x[d] = list_.cellX_[d];
-    const Real* h = list_.cellH_;
+    const std::array<Real*, Dim> cellX = list_.cellX_;
+    const Real* cellH = list_.cellH_;
     size_ = 0;
     list_.grid_.forEachRun(xi, half * (hi + list_.largestH_), [&](Index first, Index last) {
-        Index n = size_;
-        reserve(n + last - first + kLanes);
+        reserve(size_ + last - first + kLanes);
+        // Copies that writing the places found cannot change: they stay in registers.
+        const std::array<Real*, Dim> x = cellX;
+        const Vec<Dim> own = xi;
+        Lanes reach = allLanes(half * (hi + hi));
         Index* hit = hit_.data();
+        Real* found2 = found2_.data();
+        Index n = size_;
         for (Index k = first; k < last; k += kLanes) {
-            Lanes beyond{};   // |x_ij|^2 - (support h_ij)^2
+            Lanes r2{};
             for (int d = 0; d < Dim; ++d) {
-                const Lanes x_ij = xi[d] - loadLanes(x[d] + k);
-                beyond += x_ij * x_ij;
+                const Lanes x_ij = own[d] - loadLanes(x[d] + k);
+                r2 += x_ij * x_ij;
             }
-            const Lanes reach = half * (hi + loadLanes(h + k));
-            n += placesBelowZero(beyond - reach * reach, k, last, hit + n);
+            if constexpr (!OneH) reach = half * (hi + loadLanes(cellH + k));
+            n += takeBelowZero(r2 - reach * reach, k, last, r2, hit + n, found2 + n);
         }
         size_ = n;
     });
 }
 
-/// place_ and j_: the partners without i itself, water first, each part ascending.
+/// place_, j_ and r2_: the partners without i itself, water first, each part ascending.
 template <int Dim>
 void PairList<Dim>::RowSearch::inOrder(Index i)
 {
@@ -127,7 +136,7 @@ void PairList<Dim>::RowSearch::inOrder(Index i)
     const auto take = [&](auto&& wanted, Index n) {
         for (Index k = 0; k < found; ++k) {
             const Index j = order[hit_[k]];
-            place_[n] = hit_[k], j_[n] = j;
+            place_[n] = hit_[k], j_[n] = j, r2_[n] = found2_[k];
             n += wanted(j);
         }
         return n;
@@ -144,57 +153,66 @@ void PairList<Dim>::RowSearch::ascend(Index first, Index last)
 {
     Index descents = 0;
     for (Index k = first + 1; k < last; ++k) descents += j_[k] < j_[k - 1];
-    if (descents == 0) return;
-    key_.resize(last - first);
-    for (Index k = first; k < last; ++k)
-        key_[k - first] = static_cast<std::uint64_t>(j_[k]) << 32 | static_cast<std::uint32_t>(place_[k]);
-    if (kNearlySorted * descents > last - first) {
-        std::sort(key_.begin(), key_.end());
-    } else {
-        for (Index k = 1; k < last - first; ++k) {
-            const std::uint64_t key = key_[k];
-            Index m = k;
-            for (; m > 0 && key_[m - 1] > key; --m) key_[m] = key_[m - 1];
-            key_[m] = key;
-        }
-    }
-    for (Index k = first; k < last; ++k) {
-        j_[k] = static_cast<Index>(key_[k - first] >> 32);
-        place_[k] = static_cast<Index>(key_[k - first] & 0xFFFFFFFFU);
+    if (kNearlySorted * descents > last - first) return sort(first, last);
+    for (Index k = first + 1; descents > 0 && k < last; ++k) {
+        const Index j = j_[k], place = place_[k];
+        const Real r2 = r2_[k];
+        Index m = k;
+        for (; m > first && j_[m - 1] > j; --m) j_[m] = j_[m - 1], place_[m] = place_[m - 1], r2_[m] = r2_[m - 1];
+        j_[m] = j, place_[m] = place, r2_[m] = r2;
     }
 }
 
-/// W_ and slope_ of the partners.
 template <int Dim>
-void PairList<Dim>::RowSearch::evaluate(Index i)
+void PairList<Dim>::RowSearch::sort(Index first, Index last)
 {
-    const Vec<Dim> xi = list_.points_->x[i];
-    const Real hi = list_.points_->h[i], sigma = list_.sigma_, largestH = list_.largestH_;
-    for (Index k = 0; k < size_; ++k) {
-        Real r2 = 0;
-        for (int d = 0; d < Dim; ++d) r2 += sqr(xi[d] - list_.cellX_[d][place_[k]]);
-        q_[k] = r2;
-        h_[k] = list_.cellH_[place_[k]];
+    key_.resize(last - first);
+    for (Index k = first; k < last; ++k) {
+        key_[k - first] = static_cast<std::uint64_t>(j_[k]) << 32 | static_cast<std::uint32_t>(k);
+        hit_[k] = place_[k], found2_[k] = r2_[k];
     }
-    Real *q = q_.data(), *h = h_.data();
-    const Real *w = w_.data(), *s = s_.data();
-    float *W = W_.data(), *slope = slope_.data();
-    Real nearest2 = sqr(list_.support_ * list_.largestH_);
+    std::sort(key_.begin(), key_.end());
+    for (Index k = first; k < last; ++k) {
+        const auto from = static_cast<Index>(key_[k - first] & 0xFFFFFFFFU);
+        j_[k] = static_cast<Index>(key_[k - first] >> 32);
+        place_[k] = hit_[from], r2_[k] = found2_[from];
+    }
+}
+
+template <int Dim>
+float PairList<Dim>::RowSearch::evaluate(Index i, float* W, float* slope)
+{
+    const Real hi = list_.points_->h[i];
+    return list_.oneH_ ? evaluateRow<true>(hi, W, slope) : evaluateRow<false>(hi, W, slope);
+}
+
+template <int Dim>
+template <bool OneH>
+float PairList<Dim>::RowSearch::evaluateRow(Real hi, float* W, float* slope)
+{
+    const Real sigma = list_.sigma_, largestH = list_.largestH_;
+    const auto inverse = [](Real h, Real other) { return 1 / (Real(0.5) * (h + other)); };
+    const Real inverseH = inverse(hi, hi);
+    const Real *r2 = r2_.data(), *w = w_.data(), *s = s_.data();
+    Real *q = q_.data(), *h = h_.data();   // h: 1/h_ij
+    if constexpr (!OneH)
+        for (Index k = 0; k < size_; ++k) h[k] = list_.cellH_[place_[k]];
+    Real nearest2 = sqr(list_.support_ * largestH);
 #pragma omp simd reduction(min : nearest2)
     for (Index k = 0; k < size_; ++k) {
-        nearest2 = std::min(nearest2, q[k]);
-        h[k] = 1 / (Real(0.5) * (hi + h[k]));
-        q[k] = std::sqrt(q[k]) * h[k];
+        nearest2 = std::min(nearest2, r2[k]);
+        if constexpr (!OneH) h[k] = inverse(hi, h[k]);
+        q[k] = std::sqrt(r2[k]) * (OneH ? inverseH : h[k]);
     }
-    nearest_ = static_cast<float>(std::sqrt(nearest2) * (1 - kRounding));
     const std::size_t n = size_;
     kernel_.evaluate({q, n}, {w_.data(), n}, {s_.data(), n});
 #pragma omp simd
     for (Index k = 0; k < size_; ++k) {
-        const Real ratio = largestH * h[k], scale = sigma * power(ratio);
+        const Real ratio = largestH * (OneH ? inverseH : h[k]), scale = sigma * power(ratio);
         W[k] = static_cast<float>(w[k] * scale);
         slope[k] = static_cast<float>(s[k] * scale * (ratio * ratio));
     }
+    return static_cast<float>(std::sqrt(nearest2) * (1 - kRounding));
 }
 
 template <int Dim>
@@ -237,12 +255,10 @@ void PairList<Dim>::fillBlock(Index b, RowSearch& search)
         }
         block.j.resize(end), block.W.resize(end), block.slope.resize(end);
         std::copy_n(search.j(), search.size(), block.j.begin() + begin);
-        std::copy_n(search.W(), search.size(), block.W.begin() + begin);
-        std::copy_n(search.slope(), search.size(), block.slope.begin() + begin);
+        row_[i].nearest = search.evaluate(i, block.W.data() + begin, block.slope.data() + begin);
         row_[i].start = static_cast<Index>(begin);
         row_[i].wallStart = static_cast<Index>(begin) + search.water();
         row_[i].end = static_cast<Index>(end);
-        row_[i].nearest = search.nearest();
     }
 }
 
@@ -253,6 +269,7 @@ void PairList<Dim>::build(const Points<Dim>& points, const Kernel& kernel)
     support_ = kernel.supportRadius();
     sigma_ = kernel.normalisation(Dim);
     largestH_ = orderedMax(points.h.size(), 0, [&](Index i) { return points.h[i]; });
+    oneH_ = orderedMax(points.h.size(), 0, [&](Index i) { return largestH_ - points.h[i]; }) == 0;
     const Real zero = 0;
     Real w0 = 0, s0 = 0;
     kernel.evaluate(Span<const Real>(&zero, 1), Span<Real>(&w0, 1), Span<Real>(&s0, 1));

@@ -172,6 +172,7 @@ private:
     std::array<Real*, Dim> cellX_{};   ///< during build(): coordinates of all points in the order of the cells
     Real* cellH_ = nullptr;            ///< their h
     Real support_ = 0, sigma_ = 0, selfW0_ = 0, largestH_ = 0;
+    bool oneH_ = true;   ///< all points have the same h: no soil
     Real unitW_ = 1, unitSlope_ = 1;
     LargeArray<Row> row_;
     std::vector<Block> block_;
