@@ -75,6 +75,25 @@ inline Lanes allLanes(Real a)
     return Lanes{} + a;
 }
 
+/// The first n lanes, zero in the others.
+inline Lanes firstOrZero(const Lanes& a, Index n)
+{
+    const Lanes lane{0, 1, 2, 3, 4, 5, 6, 7};
+    return lane < static_cast<Real>(n) ? a : Lanes{};
+}
+
+/// The first n of eight whole numbers, `other` in place of those behind them; they lie in `room`.
+inline const Index* firstOr(const Index* from, Index n, Index other, std::array<Index, kLanes>& room)
+{
+    using Whole = Index __attribute__((vector_size(kLanes * sizeof(Index))));
+    const Whole lane{0, 1, 2, 3, 4, 5, 6, 7};
+    Whole a;
+    std::memcpy(&a, from, sizeof a);
+    a = lane < n ? a : Whole{} + other;
+    std::memcpy(room.data(), &a, sizeof a);
+    return room.data();
+}
+
 /// The sum of the lanes, always in the same order.
 inline Real sumOf(const Lanes& a)
 {

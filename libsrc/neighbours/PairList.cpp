@@ -250,7 +250,7 @@ void PairList<Dim>::fillBlock(Index b, RowSearch& search)
         const std::size_t begin = block.j.size(), end = begin + search.size();
         if (end > block.j.capacity()) {
             const Real rows = static_cast<Real>(last - first) / static_cast<Real>(i + 1 - first);
-            const auto room = static_cast<std::size_t>(kRoom * rows * static_cast<Real>(end)) + search.size();
+            const auto room = static_cast<std::size_t>(kRoom * rows * static_cast<Real>(end)) + search.size() + kLanes;
             block.j.reserve(room), block.W.reserve(room), block.slope.reserve(room);
         }
         block.j.resize(end), block.W.resize(end), block.slope.resize(end);
@@ -260,6 +260,8 @@ void PairList<Dim>::fillBlock(Index b, RowSearch& search)
         row_[i].wallStart = static_cast<Index>(begin) + search.water();
         row_[i].end = static_cast<Index>(end);
     }
+    const std::size_t all = block.j.size() + kLanes;   // loops read eight places at a time
+    block.j.resize(all), block.W.resize(all), block.slope.resize(all);
 }
 
 template <int Dim>

@@ -89,8 +89,8 @@ private:
         Index start, wallStart, end;   ///< places in the row's block
         float nearest;                 ///< [m]
     };
-    /// Pairs of kBlockRows rows, kernel and slope in units made of the largest h: of the same digits in water of
-    /// any size.
+    /// Pairs of kBlockRows rows and kLanes idle places, kernel and slope in units made of the largest h: of the same
+    /// digits in water of any size.
     struct Block {
         LargeArray<Index> j;
         LargeArray<float> W, slope;
@@ -126,19 +126,15 @@ private:
     void loopLanes(Index i, Index from, Index end, F&& f) const
     {
         const Block& block = block_[i / kBlockRows];
-        std::array<Index, kLanes> lastJ;
-        std::array<float, kLanes> lastW{}, lastSlope{};
+        std::array<Index, kLanes> last;
         for (Index k = from; k < end; k += kLanes) {
             const Index* j = &block.j[k];
-            const float *W = &block.W[k], *slope = &block.slope[k];
-            if (end - k < kLanes) {
-                lastJ.fill(i);
-                for (Index l = 0; l < end - k; ++l)
-                    lastJ[l] = j[l], lastW[l] = W[l], lastSlope[l] = slope[l];
-                j = lastJ.data(), W = lastW.data(), slope = lastSlope.data();
+            Lanes W = loadLanes(&block.W[k]) * unitW_, slope = loadLanes(&block.slope[k]) * unitSlope_;
+            if (end - k < kLanes) {   // what follows in the block is of others
+                j = firstOr(j, end - k, i, last);
+                W = firstOrZero(W, end - k), slope = firstOrZero(slope, end - k);
             }
-            // f is called at one place, so that it is inlined.
-            f(PairLanes{j, loadLanes(W) * unitW_, loadLanes(slope) * unitSlope_});
+            f(PairLanes{j, W, slope});   // at one place, so that it is inlined
         }
     }
     template <class F>

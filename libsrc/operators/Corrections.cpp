@@ -46,8 +46,10 @@ struct Moments {
             x[r] = own[P::x + r] - of[P::x + r];
             const Lanes weighted = weight * x[r];
             side[r] += weighted;
-            for (int c = 0; c <= r; ++c) outer[r][c] += weighted * x[c];
         }
+        for (int r = 0; r < Dim; ++r)
+            for (int c = 0; c < Dim; ++c)   // bounds that are known, or the sums are kept in memory
+                if (c <= r) outer[r][c] += weight * x[r] * x[c];
     }
     /// A of (2.9)
     Mat<Dim> matrix() const
