@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <tuple>
 
 using namespace isph;
 
@@ -115,6 +116,77 @@ TEST(PairList, HoldsTheKernelOfTheMeanWidth)
             ASSERT_NEAR(pair.slope, slope * scale / sqr(h), 1e-14 + 6e-8 * std::abs(slope) * scale / sqr(h));
             ASSERT_EQ(pair.x_ij, points.x[i] - points.x[pair.j]);
         });
+}
+
+/// Points in the order of the cells of a search, but for a few that have changed places.
+Points<2> nearlySorted(Points<2> points, const Kernel& kernel)
+{
+    CellGrid<2> grid;
+    PairList<2>::binByCells(points.x, kernel.supportRadius() * points.h[0], grid);
+    std::vector<Vec<2>> x;
+    for (const Index j : grid.order()) x.push_back(points.x[j]);
+    for (std::size_t i = 0; i + 40 < x.size(); i += 37) std::swap(x[i], x[i + 40]);
+    points.x = x;
+    return points;
+}
+
+TEST(PairList, IsThatOfBruteForceWhereAFewHaveChangedCells)
+{
+    const auto kernel = kernelNamed("wendlandC2");
+    expectRowsAsByBruteForce(nearlySorted(shakenPoints<2>(15), *kernel), *kernel);
+    Points<2> unequal = nearlySorted(shakenPoints<2>(15), *kernel);
+    varyWidths(unequal);
+    expectRowsAsByBruteForce(unequal, *kernel);
+}
+
+/// One h has a search of its own; a narrower particle far away makes it the search for many, of the same pairs.
+template <int Dim>
+void expectNothingOfANarrowPointFarAway(const Points<Dim>& points)
+{
+    const auto kernel = kernelNamed("wendlandC2");
+    Points<Dim> more = points;
+    more.x.push_back(Vec<Dim>{} + 100.0 * points.x[points.size() / 2]);
+    more.h.push_back(0.5 * points.h[0]), more.volume.push_back(1), more.owner.push_back(more.water++);
+    more.fluid = more.water;
+    PairList<Dim> alone, beside;
+    alone.build(points, *kernel), beside.build(more, *kernel);
+    ASSERT_EQ(alone.size(), beside.size());
+    for (Index i = 0; i < points.water; ++i) {
+        std::vector<std::tuple<Index, Real, Real>> row, other;
+        alone.forAll(i, [&](const auto& pair) { row.emplace_back(pair.j, pair.W, pair.slope); });
+        beside.forAll(i, [&](const auto& pair) { other.emplace_back(pair.j, pair.W, pair.slope); });
+        ASSERT_EQ(row, other) << "row " << i;   // the same bits
+        ASSERT_EQ(alone.nearest(i), beside.nearest(i));
+    }
+}
+
+TEST(PairList, OfOneWidthIsThatOfMany)
+{
+    expectNothingOfANarrowPointFarAway(shakenPoints<2>(12));
+    expectNothingOfANarrowPointFarAway(shakenPoints<3>(6));
+}
+
+TEST(PairList, EightAtATimeAreTheSamePairsAndIdlePlacesAddNothing)
+{
+    const Points<2> points = withImagesAndWalls<2>(15);
+    PairList<2> pairs;
+    pairs.build(points, *kernelNamed("wendlandC2"));
+    using List = std::vector<std::tuple<Index, Real, Real>>;
+    for (Index i = 0; i < points.water; ++i) {
+        List one, eight;
+        std::size_t read = 0;
+        pairs.forAll(i, [&](const auto& pair) { one.emplace_back(pair.j, pair.W, pair.slope); });
+        const auto take = [&](const PairLanes& lanes) {
+            for (int l = 0; l < kLanes; ++l, ++read) {
+                const bool idle = lanes.W[l] == 0 && lanes.slope[l] == 0;
+                if (idle) ASSERT_EQ(lanes.j[l], i);
+                else eight.emplace_back(lanes.j[l], lanes.W[l], lanes.slope[l]);
+            }
+        };
+        pairs.forWaterLanes(i, take), pairs.forWallLanes(i, take);
+        ASSERT_EQ(one, eight) << "row " << i;
+        ASSERT_EQ(read % kLanes, 0U);
+    }
 }
 
 TEST(PairList, IsTheSameForOneAndThreeThreads)
