@@ -3,6 +3,7 @@
 
 #include "integrator/Corrector.hpp"
 #include "integrator/FaceCarry.hpp"
+#include "integrator/FaceCrossing.hpp"
 #include "integrator/FaceFilter.hpp"
 #include "integrator/Predictor.hpp"
 #include "integrator/Shifting.hpp"
@@ -38,6 +39,8 @@ StepReport DragImplicitStep<Dim>::advance(Real dt, Real dtOld)
     if (scene_.turbulence) this->eddies();
     if (scene_.porous) {
         drag();
+        if (weights.ratio > 0)
+            crossFaces(*scene_.porous, scene_.box, scene_.scheme.spacing, weights, fields_, scene_.water);
         carryThroughFaces(scene_.water, weights, fields_);
         project(WaterInSoil<Dim>{weights.dtPrime(), fields_.soil, fields_.resistance, scene_.scheme.spacing, fields_.face.v,
                                  fields_.face.carriesDarcy}, weights, report);
