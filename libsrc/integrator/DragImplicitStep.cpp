@@ -18,6 +18,7 @@ constexpr Real kSoilPorosity = 0.9;      // below it water is pulled into voids 
 constexpr Real kLeastSupport = 0.75;     // lambda/Dim for that
 constexpr Real kFullSupport = 0.95;      // lambda/Dim above which a thin spot is no surface
 constexpr Real kNewest = 0.2;           // share of the newest force in the mean of the past ones
+constexpr Real kRepairing = 0.01;        // Courant number that repairs packings one by one (5.12)
 constexpr int kRepeats = 10;             // pressure solves of a first step under gravity
 }  // namespace
 
@@ -159,7 +160,8 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
     if (scheme.stabilisation == Stabilisation::constantAlpha) rate = scheme.alpha / medium.dt;
     divergence_.resize(n);
     LargeArray<Real> error(n), surplusOf;
-    fillingSurplus(fields_, medium, lattice_, surplusOf);
+    fillingSurplus(fields_, medium, lattice_,
+                   std::min(Real(1), U * medium.dt / (kRepairing * scheme.spacing)), surplusOf);
     const auto& c = fields_.corrections;
     const auto& solids = fields_.soil.solidsDivergence;
     parallelFor(n, [&](Index i) {

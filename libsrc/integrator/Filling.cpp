@@ -7,10 +7,12 @@ namespace {
 /// Of the disorder that n and lambda show, what is in n alone: packings that water has flowed into, 0.29 to 0.36.
 constexpr Real kShare = 1.0 / 3;
 
+/// Water in soil and beside it, and what it sees of the packing around it.
 template <int Dim>
-class Disorder {
+class SoilPacking {
 public:
-    Disorder(const StepFields<Dim>& fields, const WaterInSoil<Dim>& medium, const LatticeSums& lattice)
+    SoilPacking(const StepFields<Dim>& fields, const WaterInSoil<Dim>& medium,
+                const LatticeSums& lattice)
         : fields_(fields), medium_(medium), lattice_(lattice)
     {
     }
@@ -18,26 +20,32 @@ public:
     {
         return medium_.inSoil(i) && !medium_.atFace(i) && fields_.role[i] == SurfaceRole::inner;
     }
-    /// <n - n_0 lambda/lambda_0>_i over the deep ones in the support.
-    Real mean(Index i) const
+    bool isInSoilOrBeside(Index i) const
+    {
+        return (medium_.inSoil(i) || medium_.atFace(i)) && fields_.role[i] == SurfaceRole::inner;
+    }
+    Real surplus(Index i) const { return fields_.corrections.filling[i] - lattice_.filling; }
+    /// n - n_0 lambda/lambda_0
+    Real disorder(Index i) const
+    {
+        const Real lambda = fields_.corrections.lambda[i] / lattice_.lambda;
+        return fields_.corrections.filling[i] - lattice_.filling * lambda;
+    }
+    /// Mean of `value`, weighted by V_j W_ij, over those in the support that are such.
+    Real mean(Index i, const auto& isSuch, const auto& value) const
     {
         const Points<Dim>& points = fields_.points;
-        Real weight = points.volume[i] * fields_.pairs.selfW(i), sum = weight * of(i);
+        Real weight = points.volume[i] * fields_.pairs.selfW(i), sum = weight * value(i);
         fields_.pairs.forWater(i, [&](const auto& pair) {
             const Index j = points.owner[pair.j];
-            if (!isDeep(j)) return;
+            if (!isSuch(j)) return;
             weight += points.volume[j] * pair.W;
-            sum += points.volume[j] * pair.W * of(j);
+            sum += points.volume[j] * pair.W * value(j);
         });
         return sum / weight;
     }
 
 private:
-    Real of(Index i) const
-    {
-        return fields_.corrections.filling[i] - lattice_.filling * fields_.corrections.lambda[i] / lattice_.lambda;
-    }
-
     const StepFields<Dim>& fields_;
     const WaterInSoil<Dim>& medium_;
     LatticeSums lattice_;
@@ -45,23 +53,35 @@ private:
 }  // namespace
 
 template <int Dim, class Medium>
-void fillingSurplus(const StepFields<Dim>& fields, const Medium& medium, const LatticeSums& lattice,
-                    LargeArray<Real>& surplus)
+void fillingSurplus(const StepFields<Dim>& fields, const Medium& medium,
+                    const LatticeSums& lattice, Real ownShare, LargeArray<Real>& surplus)
 {
     const auto& n = fields.corrections.filling;
     surplus.resize(fields.points.water);
     parallelFor(fields.points.water, [&](Index i) { surplus[i] = n[i] - lattice.filling; });
     if constexpr (Medium::hasSoil) {
-        const Disorder<Dim> disorder(fields, medium, lattice);
+        const SoilPacking<Dim> soil(fields, medium, lattice);
         parallelForDynamic(fields.points.water, [&](Index i) {
-            if (disorder.isDeep(i)) surplus[i] -= kShare * disorder.mean(i);
+            if (ownShare < 1 && soil.isInSoilOrBeside(i)) {
+                const Real shared = soil.mean(
+                    i, [&](Index j) { return soil.isInSoilOrBeside(j); },
+                    [&](Index j) { return soil.surplus(j); });
+                surplus[i] = ownShare * surplus[i] + (1 - ownShare) * shared;
+            }
+            if (soil.isDeep(i))
+                surplus[i] -= kShare * soil.mean(i, [&](Index j) { return soil.isDeep(j); },
+                                                 [&](Index j) { return soil.disorder(j); });
         });
     }
 }
 
-template void fillingSurplus(const StepFields<2>&, const ClearWater<2>&, const LatticeSums&, LargeArray<Real>&);
-template void fillingSurplus(const StepFields<3>&, const ClearWater<3>&, const LatticeSums&, LargeArray<Real>&);
-template void fillingSurplus(const StepFields<2>&, const WaterInSoil<2>&, const LatticeSums&, LargeArray<Real>&);
-template void fillingSurplus(const StepFields<3>&, const WaterInSoil<3>&, const LatticeSums&, LargeArray<Real>&);
+template void fillingSurplus(const StepFields<2>&, const ClearWater<2>&, const LatticeSums&, Real,
+                             LargeArray<Real>&);
+template void fillingSurplus(const StepFields<3>&, const ClearWater<3>&, const LatticeSums&, Real,
+                             LargeArray<Real>&);
+template void fillingSurplus(const StepFields<2>&, const WaterInSoil<2>&, const LatticeSums&, Real,
+                             LargeArray<Real>&);
+template void fillingSurplus(const StepFields<3>&, const WaterInSoil<3>&, const LatticeSums&, Real,
+                             LargeArray<Real>&);
 
 }  // namespace isph
