@@ -7,6 +7,7 @@
 #include "integrator/FaceFilter.hpp"
 #include "integrator/Predictor.hpp"
 #include "integrator/Shifting.hpp"
+#include "integrator/SolidsDivergence.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -163,8 +164,7 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
     fillingSurplus(fields_, medium, lattice_,
                    std::min(Real(1), U * medium.dt / (kRepairing * scheme.spacing)), surplusOf);
     const auto& c = fields_.corrections;
-    const auto& solids = fields_.soil.solidsDivergence;
-    parallelFor(n, [&](Index i) {
+    parallelForDynamic(n, [&](Index i) {
         const Real lambda = c.lambda[i] / Dim;
         const SurfaceRole role = fields_.role[i];
         const Real surplus = surplusOf[i];
@@ -172,7 +172,7 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
                               && role != SurfaceRole::surface;
         const bool acts = surplus > 0 || pullsInSoil || role == SurfaceRole::inner || lambda > kFullSupport;
         const Real wanted = acts ? medium.porosity(i) * sqr(medium.damping(i)) * rate * surplus : 0;
-        divergence_[i] = wanted - (solids.empty() ? 0 : solids[i]);
+        divergence_[i] = wanted - solidsDivergence(fields_, i);
         error[i] = role == SurfaceRole::inner ? sqr(surplus) : 0;
     });
     report.densityError = std::sqrt(orderedSum(n, [&](Index i) { return error[i]; }) / std::max<Index>(1, n));

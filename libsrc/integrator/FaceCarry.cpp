@@ -11,7 +11,7 @@ void carryThroughFaces(const Water<Dim>& water, const StepWeights& weights, Step
     FaceFields<Dim>& face = fields.face;
     fields.v.resize(points.fluid), face.v.resize(points.fluid), face.carriesDarcy.resize(points.fluid);
     parallelFor(points.water, [&](Index i) {
-        const bool rigid = soil.solidsDivergence.empty() || soil.solidsDivergence[i] == 0;
+        const bool rigid = soil.solidsFlux.empty() || normSqr(soil.solidsFlux[i]) == 0;
         face.carriesDarcy[i] = rigid && fields.role[i] != SurfaceRole::surface;
         const Vec<Dim> n = face.carriesDarcy[i] ? unit(soil.normal[i]) : Vec<Dim>{};
         const auto carried = [&](Real now, Real before) {

@@ -2,6 +2,7 @@
 #include "integrator/PaperStep.hpp"
 
 #include "integrator/ExplicitDrag.hpp"
+#include "integrator/SolidsDivergence.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -92,12 +93,11 @@ void PaperStep<Dim>::densityTerm(Real dt, StepReport& report)
     const Index n = fields_.points.water;
     divergence_.resize(n);
     std::vector<Real> error(n, 0);
-    parallelFor(n, [&](Index i) {
+    parallelForDynamic(n, [&](Index i) {
         const Real eps = fields_.soil.porosity[i];
         const Real surplus = fields_.corrections.filling[i] - this->lattice_.filling;   // <rho>/(eps rho0) - 1
         const bool inner = fields_.role[i] == SurfaceRole::inner;
-        const auto& solids = fields_.soil.solidsDivergence;
-        divergence_[i] = (inner || surplus > 0 ? alpha / dt * eps * surplus : 0) - (solids.empty() ? 0 : solids[i]);
+        divergence_[i] = (inner || surplus > 0 ? alpha / dt * eps * surplus : 0) - solidsDivergence(fields_, i);
         if (inner) error[i] = sqr(surplus);
     });
     report.densityError = std::sqrt(orderedSum(n, [&](Index i) { return error[i]; }) / std::max<Index>(1, n));

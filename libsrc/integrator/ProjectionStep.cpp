@@ -40,6 +40,7 @@ void ProjectionStep<Dim>::look()
         const auto refresh = [&](auto& field) { field.resize(points.fluid), points.refresh(field); };
         refresh(soil.porosity), refresh(soil.sharpPorosity), refresh(soil.zone), refresh(soil.depth);
         refresh(soil.mobility), refresh(soil.normal), refresh(soil.inertia);
+        if (!soil.solidsFlux.empty()) refresh(soil.solidsFlux);
     }
 }
 

@@ -138,7 +138,7 @@ SoilSums<Dim> PorousField<Dim>::sums(const Vec<Dim>& x, Index except, Near& near
         s.solid += VW;
         s.gradSolid += VgradW;
         if (released_[k]) {
-            s.divergence += dot(soilU_[k], VgradW);
+            s.flux += VW * soilU_[k];
             continue;
         }
         const Real perSolid = 1 / (1 - zones_[soilZone_[k]].porosity);
@@ -238,7 +238,7 @@ void PorousField<Dim>::setParticle(const SoilSums<Dim>& s, const std::vector<Rea
     state.mobility[i] = eps / inertia;
     state.inertia[i] = place.share > 0 ? zones_[place.soil].model->inertiaIntegral(eps) : 0;
     state.normal[i] = s.gradRank;
-    if (anyReleased_) state.solidsDivergence[i] = s.divergence;
+    if (anyReleased_) state.solidsFlux[i] = (1 / s.open) * s.flux;
 }
 
 template <int Dim>
@@ -248,7 +248,7 @@ void PorousField<Dim>::evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state)
     state.porosity.resize(n), state.sharpPorosity.resize(n), state.share.resize(n), state.zone.resize(n), state.depth.resize(n);
     state.linear.resize(n), state.quadratic.resize(n), state.mobility.resize(n), state.normal.resize(n);
     state.inertia.resize(n);
-    state.solidsDivergence.resize(anyReleased_ ? n : 0);
+    state.solidsFlux.resize(anyReleased_ ? n : 0);
 #pragma omp parallel
     {
         Near near;

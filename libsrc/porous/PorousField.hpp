@@ -40,7 +40,7 @@ struct PorousState {
     std::vector<Real> mobility;     ///< k = eps/C_r(eps)
     std::vector<Real> inertia;      ///< chi, 0 in clear water                               [theory (3.13)]
     std::vector<Vec<Dim>> normal;   ///< grad psi, towards the soil that resists more [1/m]; its direction is used
-    std::vector<Real> solidsDivergence;   ///< div q of released soil = d eps/dt [1/s]; empty without
+    std::vector<Vec<Dim>> solidsFlux;   ///< v_s of released soil [m/s]; empty without   [theory (9.5)]
 };
 
 /// Sums over soil and walls at a point.
@@ -49,7 +49,7 @@ struct SoilSums {
     Real solid = 0;             ///< volume of grains per volume, bed and released
     Real share = 0;             ///< of the bed, in units of intact soil
     Real open = 1;              ///< share of the kernel that no wall fills
-    Real divergence = 0;        ///< div q of released soil [1/s]
+    Vec<Dim> flux{};            ///< v_s, volume flux of released soil [m/s]
     Real rank = 0;              ///< psi: shares of the zones, each times its rank
     Vec<Dim> gradShare{}, gradSolid{}, gradRank{};   ///< [1/m]
 };

@@ -175,8 +175,13 @@ TEST(PorousField, ReleasedGrainsFillSpaceButResistNoMore)
     EXPECT_NEAR(state.porosity[0], 0.4, exact);
     EXPECT_EQ(state.share[0], 0);
     EXPECT_EQ(state.linear[0], 0);
-    ASSERT_EQ(state.solidsDivergence.size(), 1u);
-    EXPECT_EQ(state.solidsDivergence[0], 0);   // at rest
+    ASSERT_EQ(state.solidsFlux.size(), 1u);
+    EXPECT_EQ(norm(state.solidsFlux[0]), 0);   // at rest
+    for (Vec<2>& u : scene.soil.u) u = {2, -1};
+    scene.porous->place(scene.soil, scene.box);
+    const PorousState<2> moving = stateAt<2>(scene, {{5.5, 6.5}});
+    EXPECT_NEAR(moving.solidsFlux[0][0], 0.6 * 2, exact);
+    EXPECT_NEAR(moving.solidsFlux[0][1], 0.6 * -1, exact);
 }
 
 }  // namespace
