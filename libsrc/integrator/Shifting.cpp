@@ -22,6 +22,7 @@ constexpr Real kLeastSupport = 0.4;        // lambda/Dim below which nothing is 
 constexpr Real kSoilShare = 0.05;
 constexpr Real kEdge = 1e-12;              // of W(s_i): rounding decides about pairs at the edge of the support
 constexpr Real kSurfaceCollision = 0.95;   // in local spacings: between particles of the surface
+constexpr Real kCorner = 0.3;              // |T_i| h_i from which on walls leave a particle too little room (5.4)
 
 /// What shifting asks of a partner. Water beside soil sees the Darcy velocity, which is continuous across
 /// the face; pores are swifter.
@@ -41,6 +42,7 @@ struct ShiftSum {
     const Real* own;
     Real WLattice;                            ///< W(s_i)
     OuterSum<Dim> gradU{}, gradUOld{};        ///< without their correction; the latter if a record has both times
+    std::array<Lanes, Dim> bend{}, bendOld{};   ///< sum V F (u_j - u_i), and of u^(n-1) likewise
     std::array<Lanes, Dim> concentration{}, normal{};
     Lanes fastest2{};                         ///< largest |u_ij|^2
 
@@ -55,7 +57,11 @@ struct ShiftSum {
             u_ij[d] = own[N::u + d] - of[N::u + d];
             speed2 += u_ij[d] * u_ij[d];
             toPartner[d] = -VSlope * u_ij[d];
-            if constexpr (N::bothTimes) toPartnerOld[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
+            bend[d] -= 2 * toPartner[d];
+            if constexpr (N::bothTimes) {
+                toPartnerOld[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
+                bendOld[d] -= 2 * toPartnerOld[d];
+            }
         }
         gradU.add(toPartner, x);
         if constexpr (N::bothTimes) gradUOld.add(toPartnerOld, x);
@@ -87,16 +93,23 @@ Records<Neighbour<Dim>::size> neighboursOf(const StepFields<Dim>& fields, const 
     return neighbours;
 }
 
-/// Gradient of the velocities of the step before, without its correction.
+/// Sums over the velocities of the step before.
 template <int Dim>
-Mat<Dim> gradientBefore(const PairList<Dim>& pairs, const Records<Neighbour<Dim>::size>& neighbours, Index i,
+struct SumsBefore {
+    Mat<Dim> gradient;   ///< without its correction
+    Vec<Dim> bend;       ///< sum V F (u_j - u_i)
+};
+
+template <int Dim>
+SumsBefore<Dim> sumsBefore(const PairList<Dim>& pairs, const Records<Neighbour<Dim>::size>& neighbours, Index i,
                         const ShiftSum<Dim>& shiftSum)
 {
     using N = Neighbour<Dim>;
-    if constexpr (N::bothTimes) return shiftSum.gradUOld.total();
+    if constexpr (N::bothTimes) return {shiftSum.gradUOld.total(), sumOf(shiftSum.bendOld)};
     const Records<N::size> all(neighbours[0] + N::before);
     const Real* own = all[i];
     OuterSum<Dim> sum;
+    std::array<Lanes, Dim> bend{};
     pairs.forWaterLanes(i, [&](const PairLanes& eight) {
         const auto of = all.template gather<kLanes>(eight.j);
         const Lanes VSlope = of[N::volume] * eight.slope;
@@ -104,13 +117,21 @@ Mat<Dim> gradientBefore(const PairList<Dim>& pairs, const Records<Neighbour<Dim>
         for (int d = 0; d < Dim; ++d) {
             x[d] = own[N::x + d] - of[N::x + d];
             change[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
+            bend[d] -= 2 * change[d];
         }
         sum.add(change, x);
     });
-    return sum.total();
+    return {sum.total(), sumOf(bend)};
 }
 
-/// dx_i of (7.1)
+/// How far a shift may go.                                                                   [theory (7.1)]
+template <int Dim>
+Real largestShift(const Scheme<Dim>& scheme, Real h)
+{
+    return scheme.largestShift * scheme.spacing * h / scheme.h0;
+}
+
+/// d_i of (7.1)
 template <int Dim>
 Vec<Dim> shiftOf(const Scheme<Dim>& scheme, Real dt, const StepFields<Dim>& fields, const ShiftSum<Dim>& sum, Index i)
 {
@@ -133,8 +154,96 @@ Vec<Dim> shiftOf(const Scheme<Dim>& scheme, Real dt, const StepFields<Dim>& fiel
         const Vec<Dim> e = unit(surface ? fields.corrections.lopsided[i] : sumOf(sum.normal));
         step -= dot(step, e) * e;
     }
-    const Real most = scheme.largestShift * scheme.spacing * h / scheme.h0, length = norm(step);
-    return length > most ? (most / length) * step : step;
+    return atMost(step, largestShift(scheme, h));
+}
+
+/// Inner particles without walls in their support.
+template <int Dim>
+bool isClear(const StepFields<Dim>& fields, Index i)
+{
+    return fields.role[i] == SurfaceRole::inner && fields.pairs.wallNeighbours(i) == 0;
+}
+
+/// Whether what neighbours would be moved by in common is left out.                           [theory (7.1)]
+template <int Dim>
+bool leavesMeanOut(const StepFields<Dim>& fields, Index i)
+{
+    if (fields.role[i] != SurfaceRole::inner) return false;
+    return fields.pairs.wallNeighbours(i) == 0 || norm(fields.corrections.lopsided[i]) * fields.points.h[i] < kCorner;
+}
+
+/// What a shift needs to know of the flow where the particle stands.                          [theory (7.2)]
+template <int Dim>
+struct Move {
+    Vec<Dim> step;                ///< d_i
+    Mat<Dim> gradU, gradUOld;
+    Vec<Dim> bendU, bendUOld;     ///< Laplacians; zero but for inner particles away from walls
+};
+
+template <int Dim>
+Move<Dim> moveOf(const StepFields<Dim>& fields, const Records<Neighbour<Dim>::size>& neighbours,
+                 const ShiftSum<Dim>& sum, const Mat<Dim>& gradU, Index i)
+{
+    const SumsBefore<Dim> before = sumsBefore(fields.pairs, neighbours, i, sum);
+    Move<Dim> move;
+    move.gradU = gradU, move.gradUOld = before.gradient * fields.corrections.Lwater(i);
+    if (isClear(fields, i)) {
+        // What the sums make of a linear flow in an uneven packing does not belong to them.
+        const Vec<Dim> T = fields.corrections.lopsided[i];
+        move.bendU = sumOf(sum.bend) - move.gradU * T;
+        move.bendUOld = before.bend - move.gradUOld * T;
+    }
+    return move;
+}
+
+/// What pairs ask of a partner's move.
+template <int Dim>
+struct Step {
+    enum Place : int { step = 0, volume = Dim, size = 4 };
+};
+
+/// Mean of d over a particle and its partners.                                              [theory (7.1)]
+template <int Dim>
+Vec<Dim> meanStep(const StepFields<Dim>& fields, const Records<Step<Dim>::size>& steps, Index i)
+{
+    using S = Step<Dim>;
+    std::array<Lanes, Dim> sum{};
+    Lanes weight{};
+    fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
+        const auto of = steps.gather(pairs.j);
+        const Lanes VW = of[S::volume] * pairs.W;
+        weight += VW;
+        for (int d = 0; d < Dim; ++d) sum[d] += VW * of[S::step + d];
+    });
+    const Real own = fields.points.volume[i] * fields.pairs.selfW(i);
+    Vec<Dim> mean = sumOf(sum);
+    for (int d = 0; d < Dim; ++d) mean[d] += own * steps[i][S::step + d];
+    return mean / (own + sumOf(weight));
+}
+
+/// Moves the particles, and their velocities with the flow field.                            [theory (7.2)]
+template <int Dim>
+void applyMoves(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, const LargeArray<Move<Dim>>& moves,
+                Water<Dim>& water)
+{
+    using S = Step<Dim>;
+    const Points<Dim>& points = fields.points;
+    const auto steps = fields.pairs.template records<S::size>();
+    parallelFor(points.fluid, [&](Index k) {
+        for (int d = 0; d < Dim; ++d) steps[k][S::step + d] = moves[points.owner[k]].step[d];
+        steps[k][S::volume] = points.volume[k];
+    });
+    parallelForDynamic(points.water, [&](Index i) {
+        const Move<Dim>& move = moves[i];
+        if (move.step == Vec<Dim>{}) return;
+        Vec<Dim> step = move.step;
+        if (leavesMeanOut(fields, i))
+            step = atMost(step - meanStep(fields, steps, i), largestShift(scheme, points.h[i]));
+        const Real eps = fields.soil.porosity[i], spread = normSqr(step) / (2 * Dim);
+        water.x[i] += step;
+        water.u[i] += (1 / eps) * (move.gradU * step + spread * move.bendU);
+        water.uOld[i] += (1 / eps) * (move.gradUOld * step + spread * move.bendUOld);
+    });
 }
 }  // namespace
 
@@ -149,24 +258,25 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
     const Real wLattice = w * kernel.normalisation(Dim);   // W(s_i) h_i^D
     const auto neighbours = neighboursOf(fields, water);
     LargeArray<Real> divergence(n);
+    LargeArray<Move<Dim>> moves(scheme.shifting == 0 ? 0 : n);
     parallelForDynamic(n, [&](Index i) {
         const Real h = fields.points.h[i];
         ShiftSum<Dim> sum{neighbours[i], wLattice / (Dim == 2 ? sqr(h) : cube(h))};
         fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
             sum.add(pairs, neighbours.template gather<kLanes>(pairs.j));
         });
-        const Mat<Dim> L = fields.corrections.Lwater(i);   // symmetric
-        const Mat<Dim> gradU = sum.gradU.total() * L;
+        const Mat<Dim> gradU = sum.gradU.total() * fields.corrections.Lwater(i);
         divergence[i] = fields.role[i] == SurfaceRole::inner ? sqr(dt * trace(gradU)) : 0;
+        if (scheme.shifting == 0) return;
+        moves[i] = {};
         const bool inSoil = !fields.soil.share.empty() && fields.soil.share[i] > kSoilShare;
-        if (scheme.shifting == 0 || fields.corrections.lambda[i] < kLeastSupport * Dim || inSoil) return;
+        if (fields.corrections.lambda[i] < kLeastSupport * Dim || inSoil) return;
         const Vec<Dim> step = shiftOf(scheme, dt, fields, sum, i);
         if (normSqr(step) == 0) return;
-        const Real eps = fields.soil.porosity[i];
-        water.x[i] += step;
-        water.u[i] += (1 / eps) * (gradU * step);
-        water.uOld[i] += (1 / eps) * (gradientBefore(fields.pairs, neighbours, i, sum) * (L * step));
+        moves[i] = moveOf(fields, neighbours, sum, gradU, i);
+        moves[i].step = step;
     });
+    if (scheme.shifting != 0) applyMoves(scheme, fields, moves, water);
     return std::sqrt(orderedSum(n, [&](Index i) { return divergence[i]; }) / std::max<Index>(1, n));
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace isph;
 
 namespace {
@@ -54,6 +56,70 @@ TEST(Shifting, MovesNothingInWaterThatMovesAsOne)
     const std::vector<Vec<2>> before = scene.water.x;
     shift(*scene.kernel, scene.scheme, Real(0.01), step.fields(), scene.water);
     for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(norm(scene.water.x[i] - before[i]), 0);
+}
+
+/// Periodic vortices of unit speed, 20 spacings of 1 each, whose particles are shifted twenty times where they stand.
+class Vortices {
+public:
+    explicit Vortices(Real shaken)
+        : scene_(SceneBuilder<2>(1).force({}).water({0, 0}, {40, 40}).shakeWater(shaken)
+                     .periodic({0, 0}, {40, 40}, {true, true}).build())
+    {
+    }
+    /// Lets the particles follow the vortices by two spacings.
+    void drawOut()
+    {
+        for (Vec<2>& x : scene_.water.x)
+            for (int n = 0; n < 40; ++n) x += 0.05 * flow(x);
+    }
+    void shiftTwentyTimes()
+    {
+        Water<2>& water = scene_.water;
+        for (std::size_t i = 0; i < water.size(); ++i) water.u[i] = water.uOld[i] = flow(water.x[i]);
+        Timers timers;
+        DragImplicitStep<2> step(scene_, timers);
+        for (int n = 0; n < 20; ++n) {
+            for (Vec<2>& x : water.x) x = scene_.box.wrap(x);
+            step.look();
+            shift(*scene_.kernel, scene_.scheme, Real(0.1), step.fields(), water);
+        }
+    }
+    /// Of the vortices where the particles stand.
+    Real energyOfFlow() const
+    {
+        Real sum = 0;
+        for (const Vec<2>& x : scene_.water.x) sum += normSqr(flow(x)) / 2;
+        return sum;
+    }
+    Real energy() const { return kineticEnergy(scene_.water); }
+
+private:
+    static Vec<2> flow(const Vec<2>& x)
+    {
+        const Real k = 3.141592653589793 / 20;
+        return {std::sin(k * x[0]) * std::cos(k * x[1]), -std::cos(k * x[0]) * std::sin(k * x[1])};
+    }
+
+    Scene<2> scene_;
+};
+
+TEST(Shifting, GivesParticlesTheEnergyOfTheFlowWhereItPutsThem)
+{
+    // To the first order alone they would have 1.2e-4 more, of a way of a sixth of a spacing.
+    Vortices vortices(0.2);
+    vortices.shiftTwentyTimes();
+    EXPECT_NEAR(vortices.energy() / vortices.energyOfFlow(), 1, 3e-5);
+}
+
+TEST(Shifting, CarriesNoWaterToWhereTheFlowIsSwift)
+{
+    // A lattice that the flow has drawn out is uneven at the scale of the vortices, and as full as before. Were what
+    // neighbours share not left out, 0.3 % of energy would be won.
+    Vortices vortices(0);
+    vortices.drawOut();
+    const Real before = vortices.energyOfFlow();
+    vortices.shiftTwentyTimes();
+    EXPECT_NEAR(vortices.energyOfFlow() / before, 1, 1e-3);
 }
 
 }  // namespace
