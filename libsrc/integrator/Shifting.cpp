@@ -31,7 +31,7 @@ struct Neighbour {
     /// Velocities of both times fit one record of eight. In 3-D those of the step before have one of their own and a
     /// loop of their own, for registers do not hold the sums of both.
     static constexpr bool bothTimes = Dim == 2;
-    enum Place : int { x = 0, u = Dim, volume = 2 * Dim, lambda, before = bothTimes ? 0 : kLanes, size = before + kLanes };
+    enum Place : int { x = 0, u = Dim, volume = 2 * Dim, before = bothTimes ? 0 : kLanes, size = before + kLanes };
     enum PlaceBefore : int { uOld = bothTimes ? 6 : Dim };   ///< from `before` on, x and volume as above
 };
 
@@ -42,8 +42,8 @@ struct ShiftSum {
     const Real* own;
     Real WLattice;                            ///< W(s_i)
     OuterSum<Dim> gradU{}, gradUOld{};        ///< without their correction; the latter if a record has both times
-    std::array<Lanes, Dim> bend{}, bendOld{};   ///< sum V F (u_j - u_i), and of u^(n-1) likewise
-    std::array<Lanes, Dim> concentration{}, normal{};
+    std::array<Lanes, Dim> bend{};            ///< sum V F (u_j - u_i)
+    std::array<Lanes, Dim> concentration{};
     Lanes fastest2{};                         ///< largest |u_ij|^2
 
     void add(const PairLanes& pairs, const std::array<Lanes, kLanes>& of)
@@ -58,17 +58,13 @@ struct ShiftSum {
             speed2 += u_ij[d] * u_ij[d];
             toPartner[d] = -VSlope * u_ij[d];
             bend[d] -= 2 * toPartner[d];
-            if constexpr (N::bothTimes) {
-                toPartnerOld[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
-                bendOld[d] -= 2 * toPartnerOld[d];
-            }
+            if constexpr (N::bothTimes) toPartnerOld[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
         }
         gradU.add(toPartner, x);
         if constexpr (N::bothTimes) gradUOld.add(toPartnerOld, x);
         const Lanes share = pairs.W * (1 / WLattice), squared = share * share;
         const Lanes crowding = VSlope * (1 + kTensile * squared * squared);
-        const Lanes thinning = VSlope * (of[N::lambda] - own[N::lambda]);
-        for (int d = 0; d < Dim; ++d) concentration[d] += crowding * x[d], normal[d] += thinning * x[d];
+        for (int d = 0; d < Dim; ++d) concentration[d] += crowding * x[d];
         fastest2 = (share > kEdge) & (speed2 > fastest2) ? speed2 : fastest2;
     }
 };
@@ -88,28 +84,21 @@ Records<Neighbour<Dim>::size> neighboursOf(const StepFields<Dim>& fields, const 
             to[N::x + d] = before[N::x + d] = points.x[k][d];
             to[N::u + d] = eps * water.u[i][d], before[N::uOld + d] = eps * water.uOld[i][d];
         }
-        to[N::volume] = before[N::volume] = points.volume[k], to[N::lambda] = fields.corrections.lambda[k];
+        to[N::volume] = before[N::volume] = points.volume[k];
     });
     return neighbours;
 }
 
-/// Sums over the velocities of the step before.
+/// Gradient of the velocities of the step before, without its correction.
 template <int Dim>
-struct SumsBefore {
-    Mat<Dim> gradient;   ///< without its correction
-    Vec<Dim> bend;       ///< sum V F (u_j - u_i)
-};
-
-template <int Dim>
-SumsBefore<Dim> sumsBefore(const PairList<Dim>& pairs, const Records<Neighbour<Dim>::size>& neighbours, Index i,
+Mat<Dim> gradientBefore(const PairList<Dim>& pairs, const Records<Neighbour<Dim>::size>& neighbours, Index i,
                         const ShiftSum<Dim>& shiftSum)
 {
     using N = Neighbour<Dim>;
-    if constexpr (N::bothTimes) return {shiftSum.gradUOld.total(), sumOf(shiftSum.bendOld)};
+    if constexpr (N::bothTimes) return shiftSum.gradUOld.total();
     const Records<N::size> all(neighbours[0] + N::before);
     const Real* own = all[i];
     OuterSum<Dim> sum;
-    std::array<Lanes, Dim> bend{};
     pairs.forWaterLanes(i, [&](const PairLanes& eight) {
         const auto of = all.template gather<kLanes>(eight.j);
         const Lanes VSlope = of[N::volume] * eight.slope;
@@ -117,11 +106,22 @@ SumsBefore<Dim> sumsBefore(const PairList<Dim>& pairs, const Records<Neighbour<D
         for (int d = 0; d < Dim; ++d) {
             x[d] = own[N::x + d] - of[N::x + d];
             change[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
-            bend[d] -= 2 * change[d];
         }
         sum.add(change, x);
     });
-    return {sum.total(), sumOf(bend)};
+    return sum.total();
+}
+
+/// Where a surface is near it lies the way in which lambda falls.
+template <int Dim>
+Vec<Dim> risingLambda(const StepFields<Dim>& fields, Index i)
+{
+    const auto& lambda = fields.corrections.lambda;
+    Vec<Dim> sum;
+    fields.pairs.forWater(i, [&](const auto& pair) {
+        sum += (fields.points.volume[pair.j] * (lambda[pair.j] - lambda[i])) * pair.gradW();
+    });
+    return sum;
 }
 
 /// How far a shift may go.                                                                   [theory (7.1)]
@@ -151,7 +151,7 @@ Vec<Dim> shiftOf(const Scheme<Dim>& scheme, Real dt, const StepFields<Dim>& fiel
     Vec<Dim> step = (-scheme.shifting * h * dt * std::sqrt(U2)) * concentration;
     if (fields.role[i] != SurfaceRole::inner) {
         const bool surface = fields.role[i] == SurfaceRole::surface;
-        const Vec<Dim> e = unit(surface ? fields.corrections.lopsided[i] : sumOf(sum.normal));
+        const Vec<Dim> e = unit(surface ? fields.corrections.lopsided[i] : risingLambda(fields, i));
         step -= dot(step, e) * e;
     }
     return atMost(step, largestShift(scheme, h));
@@ -172,26 +172,43 @@ bool leavesMeanOut(const StepFields<Dim>& fields, Index i)
     return fields.pairs.wallNeighbours(i) == 0 || norm(fields.corrections.lopsided[i]) * fields.points.h[i] < kCorner;
 }
 
-/// What a shift needs to know of the flow where the particle stands.                          [theory (7.2)]
+/// What a shift needs to know of the flow where the particle stands. It is short enough for single precision.
+///                                                                                            [theory (7.2)]
 template <int Dim>
 struct Move {
+    using Gradient = std::array<float, Dim * Dim>;
     Vec<Dim> step;                ///< d_i
-    Mat<Dim> gradU, gradUOld;
-    Vec<Dim> bendU, bendUOld;     ///< Laplacians; zero but for inner particles away from walls
+    Gradient gradU, gradUOld;
+    std::array<float, Dim> bend;  ///< Laplacian of u; zero but for inner particles away from walls
+
+    /// grad u step + |step|^2/(2 Dim) lap u, with that of u for both times: between them it changes little.
+    Vec<Dim> along(const Gradient& gradient, const Vec<Dim>& way) const
+    {
+        const Real spread = normSqr(way) / (2 * Dim);
+        Vec<Dim> change;
+        for (int d = 0; d < Dim; ++d) {
+            change[d] = spread * static_cast<Real>(bend[d]);
+            for (int c = 0; c < Dim; ++c) change[d] += static_cast<Real>(gradient[d * Dim + c]) * way[c];
+        }
+        return change;
+    }
 };
 
 template <int Dim>
-Move<Dim> moveOf(const StepFields<Dim>& fields, const Records<Neighbour<Dim>::size>& neighbours,
-                 const ShiftSum<Dim>& sum, const Mat<Dim>& gradU, Index i)
+Move<Dim> moveOf(const StepFields<Dim>& fields, const ShiftSum<Dim>& sum, const Mat<Dim>& gradU, const Mat<Dim>& gradUOld,
+                 const Vec<Dim>& step, Index i)
 {
-    const SumsBefore<Dim> before = sumsBefore(fields.pairs, neighbours, i, sum);
     Move<Dim> move;
-    move.gradU = gradU, move.gradUOld = before.gradient * fields.corrections.Lwater(i);
-    if (isClear(fields, i)) {
-        // What the sums make of a linear flow in an uneven packing does not belong to them.
-        const Vec<Dim> T = fields.corrections.lopsided[i];
-        move.bendU = sumOf(sum.bend) - move.gradU * T;
-        move.bendUOld = before.bend - move.gradUOld * T;
+    move.step = step;
+    // What the sums make of a linear flow in an uneven packing does not belong to the Laplacian.
+    Vec<Dim> bend;
+    if (isClear(fields, i)) bend = sumOf(sum.bend) - gradU * fields.corrections.lopsided[i];
+    for (int d = 0; d < Dim; ++d) {
+        move.bend[d] = static_cast<float>(bend[d]);
+        for (int c = 0; c < Dim; ++c) {
+            move.gradU[d * Dim + c] = static_cast<float>(gradU[d][c]);
+            move.gradUOld[d * Dim + c] = static_cast<float>(gradUOld[d][c]);
+        }
     }
     return move;
 }
@@ -239,10 +256,10 @@ void applyMoves(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, const 
         Vec<Dim> step = move.step;
         if (leavesMeanOut(fields, i))
             step = atMost(step - meanStep(fields, steps, i), largestShift(scheme, points.h[i]));
-        const Real eps = fields.soil.porosity[i], spread = normSqr(step) / (2 * Dim);
+        const Real eps = fields.soil.porosity[i];
         water.x[i] += step;
-        water.u[i] += (1 / eps) * (move.gradU * step + spread * move.bendU);
-        water.uOld[i] += (1 / eps) * (move.gradUOld * step + spread * move.bendUOld);
+        water.u[i] += (1 / eps) * move.along(move.gradU, step);
+        water.uOld[i] += (1 / eps) * move.along(move.gradUOld, step);
     });
 }
 }  // namespace
@@ -265,16 +282,15 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
         fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) {
             sum.add(pairs, neighbours.template gather<kLanes>(pairs.j));
         });
-        const Mat<Dim> gradU = sum.gradU.total() * fields.corrections.Lwater(i);
+        const Mat<Dim> L = fields.corrections.Lwater(i), gradU = sum.gradU.total() * L;
         divergence[i] = fields.role[i] == SurfaceRole::inner ? sqr(dt * trace(gradU)) : 0;
         if (scheme.shifting == 0) return;
-        moves[i] = {};
+        moves[i].step = {};
         const bool inSoil = !fields.soil.share.empty() && fields.soil.share[i] > kSoilShare;
         if (fields.corrections.lambda[i] < kLeastSupport * Dim || inSoil) return;
         const Vec<Dim> step = shiftOf(scheme, dt, fields, sum, i);
         if (normSqr(step) == 0) return;
-        moves[i] = moveOf(fields, neighbours, sum, gradU, i);
-        moves[i].step = step;
+        moves[i] = moveOf(fields, sum, gradU, gradientBefore(fields.pairs, neighbours, i, sum) * L, step, i);
     });
     if (scheme.shifting != 0) applyMoves(scheme, fields, moves, water);
     return std::sqrt(orderedSum(n, [&](Index i) { return divergence[i]; }) / std::max<Index>(1, n));

@@ -45,9 +45,9 @@ public:
 
     /// f(pairs) for eight water partners of i at a time, in order, or for wall partners.
     template <class F>
-    void forWaterLanes(Index i, F&& f) const { loopLanes(i, row_[i].start, row_[i].wallStart, f); }
+    [[gnu::always_inline]] void forWaterLanes(Index i, F&& f) const { loopLanes(i, row_[i].start, row_[i].wallStart, f); }
     template <class F>
-    void forWallLanes(Index i, F&& f) const { loopLanes(i, row_[i].wallStart, row_[i].end, f); }
+    [[gnu::always_inline]] void forWallLanes(Index i, F&& f) const { loopLanes(i, row_[i].wallStart, row_[i].end, f); }
 
     /// Room for what one pass over the pairs wants to know of every partner; valid until the next call.
     template <int Size>
@@ -122,8 +122,9 @@ private:
         const auto [j, W, slope, x, xi] = rowOf(i);
         for (Index k = from; k < to; ++k) f(Pair{j[k], W[k] * unitW_, slope[k] * unitSlope_, xi - x[j[k]]});
     }
+    /// Inlined, or f's sums would be in memory, not in registers.
     template <class F>
-    void loopLanes(Index i, Index from, Index end, F&& f) const
+    [[gnu::always_inline]] void loopLanes(Index i, Index from, Index end, F&& f) const
     {
         const Block& block = block_[i / kBlockRows];
         std::array<Index, kLanes> last;
