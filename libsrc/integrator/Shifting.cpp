@@ -112,7 +112,7 @@ Mat<Dim> gradientBefore(const PairList<Dim>& pairs, const Records<Neighbour<Dim>
     return sum.total();
 }
 
-/// Where a surface is near it lies the way in which lambda falls.
+/// The way in which lambda rises: away from a surface that is near.
 template <int Dim>
 Vec<Dim> risingLambda(const StepFields<Dim>& fields, Index i)
 {
@@ -200,9 +200,10 @@ Move<Dim> moveOf(const StepFields<Dim>& fields, const ShiftSum<Dim>& sum, const 
 {
     Move<Dim> move;
     move.step = step;
-    // What the sums make of a linear flow in an uneven packing does not belong to the Laplacian.
+    // What the sums make of a linear flow in an uneven packing does not belong to the Laplacian (7.7);
+    // `lopsided` is -T_i.
     Vec<Dim> bend;
-    if (isClear(fields, i)) bend = sumOf(sum.bend) - gradU * fields.corrections.lopsided[i];
+    if (isClear(fields, i)) bend = sumOf(sum.bend) + gradU * fields.corrections.lopsided[i];
     for (int d = 0; d < Dim; ++d) {
         move.bend[d] = static_cast<float>(bend[d]);
         for (int c = 0; c < Dim; ++c) {

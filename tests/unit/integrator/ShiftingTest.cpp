@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace isph;
@@ -56,6 +57,40 @@ TEST(Shifting, MovesNothingInWaterThatMovesAsOne)
     const std::vector<Vec<2>> before = scene.water.x;
     shift(*scene.kernel, scene.scheme, Real(0.01), step.fields(), scene.water);
     for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(norm(scene.water.x[i] - before[i]), 0);
+}
+
+/// Two linear flows, one at each time: what is shifted has the velocities of its new place at both.
+template <int Dim>
+void expectLinearFlowsToBeFollowed(Scene<Dim> scene)
+{
+    Mat<Dim> now, before;
+    for (int r = 0; r < Dim; ++r)
+        for (int c = 0; c < Dim; ++c) now[r][c] = 0.3 * r - 0.2 * c + 0.1, before[r][c] = 0.1 * c - 0.4 * r * c;
+    Water<Dim>& water = scene.water;
+    for (std::size_t i = 0; i < water.size(); ++i) water.u[i] = now * water.x[i], water.uOld[i] = before * water.x[i];
+    Timers timers;
+    DragImplicitStep<Dim> step(scene, timers);
+    step.look();
+    const std::vector<Vec<Dim>> x = water.x;
+    shift(*scene.kernel, scene.scheme, Real(0.1), step.fields(), water);
+    int moved = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        Real depth = 12;   // below the faces of the block, at whose corners gradients are not corrected in full
+        for (int d = 0; d < Dim; ++d) depth = std::min({depth, x[i][d], 12 - x[i][d]});
+        const Real way = norm(water.x[i] - x[i]);
+        if (depth < 2 || way < 1e-3) continue;
+        ++moved;
+        // Gradients of about 1, rounded to single precision.
+        EXPECT_LT(norm(water.u[i] - now * water.x[i]), 1e-6 * way);
+        EXPECT_LT(norm(water.uOld[i] - before * water.x[i]), 1e-6 * way);
+    }
+    EXPECT_GT(moved, 10);
+}
+
+TEST(Shifting, VelocitiesOfBothTimesFollowLinearFlows)
+{
+    expectLinearFlowsToBeFollowed(SceneBuilder<2>(1).water({0, 0}, {12, 12}).shakeWater(0.2).build());
+    expectLinearFlowsToBeFollowed(SceneBuilder<3>(1).water({0, 0, 0}, {12, 12, 12}).shakeWater(0.2).build());
 }
 
 /// Periodic vortices of unit speed, 20 spacings of 1 each, whose particles are shifted twenty times where they stand.
