@@ -3,9 +3,15 @@
 
 #include "operators/Gradient.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace isph {
 
 namespace {
+constexpr Real kEven = 0.25, kUneven = 0.4;   // |T_i| h_i of a second row, and of a particle between it and the first
+constexpr Real kMostFitted = 0.25;       // spacings of water: what weighs more is an impact's
+constexpr Real kLeastRest = 0.2;         // of the partners' weight: if less is left they fit any gradient
 constexpr Real kLeastConducted = 0.25;   // of what a particle far from faces conducts: half at a flat face
 
 /// What a pair asks of its partner.
@@ -80,6 +86,37 @@ Vec<Dim> wholeAlong(const WaterInSoil<Dim>& medium, Index i, const Mat<Dim>& con
     return through + (1 / std::max(kLeastConducted, share)) * (flux - through);
 }
 
+/// How much of its own pressure a particle near the surface leaves out. Not beside soil, where the pressure bends at
+/// faces.                                                                                            [theory (3.14)]
+template <int Dim, class Medium>
+Real leftOut(const StepFields<Dim>& fields, const Medium& medium, Index i)
+{
+    if (fields.role[i] != SurfaceRole::near) return 0;
+    if constexpr (Medium::hasSoil)
+        if (medium.inSoil(i) || medium.atFace(i)) return 0;
+    const Real lopsided = norm(fields.corrections.lopsided[i]) * fields.points.h[i];
+    return std::clamp((lopsided - kEven) / (kUneven - kEven), Real(0), Real(1));
+}
+
+/// p/rho at a particle of the linear field that fits its partners, mean and gradient.                   [theory (3.14)]
+template <int Dim>
+Real fittedPressure(const StepFields<Dim>& fields, const Records<Partner<Dim>::size>& partners, const Vec<Dim>& g, Index i)
+{
+    using P = Partner<Dim>;
+    const Real p_i = partners[i][P::p];
+    Real weight = 0, head = 0;
+    Vec<Dim> way, slope, missing;   // to the partners; of the head; sum V gradW
+    fields.pairs.forWater(i, [&](const auto& pair) {
+        const Real* of = partners[pair.j];
+        const Real higher = of[P::p] - p_i + dot(g, pair.x_ij), VW = of[P::volume] * pair.W;
+        const Vec<Dim> VgradW = of[P::volume] * pair.gradW();
+        weight += VW, head += VW * higher, way -= VW * pair.x_ij;
+        slope += higher * VgradW, missing += VgradW;
+    });
+    const Mat<Dim> L = fields.corrections.Lwater(i);
+    const Real rest = weight - dot(L * missing, way);
+    return rest < kLeastRest * weight ? p_i : p_i + (head - dot(L * slope, way)) / rest;
+}
 }  // namespace
 
 template <int Dim, class Medium>
@@ -95,7 +132,13 @@ void correct(const Medium& medium, const Scheme<Dim>& scheme, StepFields<Dim>& f
         to[P::volume] = points.volume[i], to[P::p] = fields.p[i];
     });
     parallelForDynamic(points.water, [&](Index i) {
-        HeadSum<Dim, Medium> sum{medium, i, partners[i], g};
+        std::array<Real, P::size> own;
+        std::copy_n(partners[i], P::size, own.begin());
+        if (const Real share = leftOut(fields, medium, i); share > 0) {
+            const Real most = kMostFitted * scheme.spacing * std::max(scheme.strongest, norm(g));
+            own[P::p] += share * std::clamp(fittedPressure(fields, partners, g, i) - own[P::p], -most, most);
+        }
+        HeadSum<Dim, Medium> sum{medium, i, own.data(), g};
         fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) { sum.add(pairs, partners.gather(pairs.j)); });
         const Vec<Dim> gradient = sumOf(sum.gradient);
         const Real s_i = medium.damping(i);
