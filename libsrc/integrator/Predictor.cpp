@@ -16,6 +16,10 @@ namespace {
 constexpr Real kRoughStrength = 8;     // c_r of rough parts, which are small,
 constexpr Real kWholeStrength = 0.5;   // and of whole differences at the surface, over that of the case
 
+/// Reynolds numbers |grad v| d0^2/nu of the spacing up to which friction resolves a shear, and from which on it is too
+/// weak to end the noise in it.                                                           [theory (7.8)]
+constexpr Real kResolved = 10, kUnresolved = 20;
+
 /// Share of the rough part of v_ij that makes the Laplacian exact to the fourth order of a full support, for any
 /// kernel, and its bound in shares of v_ij: noise must not stiffen the explicit friction.   [theory (2.13)]
 constexpr Real kSharpening = 1.0 / 3, kMostSharpening = 0.1;
@@ -33,6 +37,8 @@ struct Carried {
         volume = 2 * Dim, part, lambda, viscosity, zone,
         gradient,              ///< grad v where differences have a smooth part, else zero, row by row
         whole = gradient + Dim * Dim,   ///< 1 if inner and all partners are in the same zone, otherwise 0
+        shear,                 ///< |grad v|
+        unresolved,            ///< its share that friction does not resolve
         used, size = (used + kLanes - 1) / kLanes * kLanes
     };
     /// part: 1 near the surface, 1.5 where the smooth part is taken off there too, 2 inner; negative in soil that
@@ -40,9 +46,17 @@ struct Carried {
     static constexpr Real kClear = 1, kSmooth = 1.5, kInner = 2;
 };
 
+/// 0 where friction resolves a shear, 1 where it is too weak; shear is |grad v| d0^2 [m2/s].   [theory (7.8)]
+inline Real unresolvedShare(Real shear, Real nu)
+{
+    const Real beyond = shear - kResolved * nu, all = (kUnresolved - kResolved) * nu;
+    return beyond < all ? std::max(Real(0), beyond / all) : 1;
+}
+
 /// grad v of inner particles; where it is zero a velocity difference has no smooth part.   [theory (7.3)]
 template <bool HasSoil, int Dim>
-void velocityGradient(const StepFields<Dim>& fields, Index i, const Records<Carried<Dim>::size>& carried)
+void velocityGradient(const StepFields<Dim>& fields, Real spacing, Index i,
+                      const Records<Carried<Dim>::size>& carried)
 {
     using C = Carried<Dim>;
     Real* own = carried[i];
@@ -65,6 +79,12 @@ void velocityGradient(const StepFields<Dim>& fields, Index i, const Records<Carr
     for (int r = 0; r < Dim; ++r)
         for (int c = 0; c < Dim; ++c) own[C::gradient + r * Dim + c] = gradient[r][c];
     own[C::whole] = whole && std::abs(own[C::part]) == C::kInner;
+    Real shear2 = 0;
+    for (int r = 0; r < Dim; ++r) shear2 += normSqr(gradient[r]);
+    own[C::shear] = std::sqrt(shear2);
+    // Soil feeds noise at any Reynolds number.
+    const bool clear = own[C::whole] > 0 && own[C::zone] == kClearWater;
+    own[C::unresolved] = clear ? unresolvedShare(own[C::shear] * sqr(spacing), own[C::viscosity]) : 1;
 }
 
 template <int Dim>
@@ -183,9 +203,7 @@ struct RateSum {
         }
         const Lanes VF = -2 * partners(C::volume) * slope;
         const Lanes weight = VF / supportOf(partners), nu = viscosityOf(partners, ownShare);
-        const Lanes part = partners(C::part) * (partners.own[C::part] < 0 ? Real(-1) : Real(1));
-        const bool smoothed = std::abs(partners.own[C::part]) >= C::kSmooth;
-        const Lanes pull = pullOf(part, smoothed, VF, approach, smoothApproach, nu)
+        const Lanes pull = pullOf(partners, VF, approach, smoothApproach, nu, r2)
                          / (r2 > shortest2 ? r2 : allLanes(shortest2));
         const Lanes friction = weight * nu, smoothPair = partners.own[C::whole] * partners(C::whole);
         for (int d = 0; d < Dim; ++d) {
@@ -209,17 +227,32 @@ private:
         const Lanes support = partners.sum(C::lambda) * (Real(0.5) / Dim);
         return support > kLeastPairSupport ? support : allLanes(kLeastPairSupport);
     }
-    /// 2 V F (c_r |a| - nu) a, a the approach or its rough part: what friction does not do itself.
-    Lanes pullOf(const Lanes& part, bool smoothed, const Lanes& VF, const Lanes& approach, const Lanes& smooth,
-                 const Lanes& nu) const
+    /// What of a rough part's size is noise: all where friction is too weak for the shear, else what is more than the
+    /// bends of a shear can be.                                                               [theory (7.8)]
+    /// Inlined, as pullOf(), or numbers of partners would go through memory.
+    [[gnu::always_inline]] static Lanes noiseOf(const Partners<Dim>& partners, const Lanes& rough,
+                                                const Lanes& r2)
+    {
+        const Lanes own = allLanes(partners.own[C::unresolved]), of = partners(C::unresolved);
+        const Lanes size = sizeOf(rough), unresolved = (own > of ? own : of) * size;
+        const Lanes beyond = 2 * size - Real(0.5) * partners.sum(C::shear) * r2;
+        const Lanes noise = beyond < size ? beyond : size;
+        return noise > unresolved ? noise : unresolved;
+    }
+    /// 2 V F (c_r n - nu) a, a the approach or its rough part, n what of its size counts: what friction does not do
+    /// itself.
+    [[gnu::always_inline]] Lanes pullOf(const Partners<Dim>& partners, const Lanes& VF, const Lanes& approach,
+                                        const Lanes& smooth, const Lanes& nu, const Lanes& r2) const
     {
         if (dissipation == 0) return Lanes{};
-        Lanes a = approach, strength = allLanes(dissipation * kWholeStrength);
-        if (smoothed) {
-            a = part >= C::kSmooth ? roughPart(approach, smooth) : approach;
-            strength = part >= C::kSmooth ? allLanes(dissipation * kRoughStrength) : strength;
+        const Lanes part = partners(C::part) * (partners.own[C::part] < 0 ? Real(-1) : Real(1));
+        Lanes a = approach, viscosity = dissipation * kWholeStrength * sizeOf(approach);
+        if (std::abs(partners.own[C::part]) >= C::kSmooth) {
+            const Lanes rough = roughPart(approach, smooth);
+            a = part >= C::kSmooth ? rough : approach;
+            viscosity = part >= C::kSmooth ? dissipation * kRoughStrength * noiseOf(partners, rough, r2) : viscosity;
         }
-        const Lanes lacking = strength * sizeOf(a) - nu;
+        const Lanes lacking = viscosity - nu;
         const Lanes pull = 2 * VF * (lacking > 0 ? lacking : Lanes{});
         return part < C::kClear ? Lanes{} : (pull < most ? pull : allLanes(most)) * a;
     }
@@ -366,7 +399,9 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
     });
     const bool rubs = scheme.dissipation > 0 || scheme.viscosity > 0 || turbulent;
     if (rubs) {
-        parallelForDynamic(points.water, [&](Index i) { velocityGradient<Medium::hasSoil>(fields, i, carried); });
+        parallelForDynamic(points.water, [&](Index i) {
+            velocityGradient<Medium::hasSoil>(fields, scheme.spacing, i, carried);
+        });
         copyToImages(C::gradient, C::size);
     }
     const bool viscous = scheme.viscosity * weights.dtPrime() > kViscous * sqr(scheme.h0);

@@ -186,6 +186,41 @@ TEST(Dissipation, LeavesToFrictionWhatItDoesByItself)
     EXPECT_EQ(frictionError(32, 0, 1), frictionError(32, 0, 0));
 }
 
+/// Share of its energy that dissipation takes in a step from a periodic square of 20 spacings: a shear wave of unit speed
+/// times `wave` with random velocities up to `noise`. Spacing 1.
+Real lossOf(Real wave, Real noise, Real nu)
+{
+    constexpr Real L = 20, k = 2 * kPi / L;
+    const auto energyAfter = [&](Real dissipation) {
+        Scene<2> scene = SceneBuilder<2>(1).viscosity(nu).force({}).water({0, 0}, {L, L})
+                             .periodic({0, 0}, {L, L}, {true, true}).build();
+        scene.scheme.dissipation = dissipation;
+        Water<2>& water = scene.water;
+        std::vector<Vec<2>> rough(water.size());
+        shake(rough, noise);
+        for (std::size_t i = 0; i < water.size(); ++i)
+            water.u[i] = water.uOld[i] = rough[i] + Vec<2>{wave * std::sin(k * water.x[i][1]), 0};
+        const Real before = kineticEnergy(water);
+        Predicted predicted(scene);
+        std::copy_n(predicted.fields().v.begin(), water.size(), water.u.begin());
+        return kineticEnergy(water) / before;
+    };
+    return energyAfter(0) - energyAfter(16);
+}
+
+// The Reynolds number of the spacing is 0.3/nu, 8 c_r times the rough part of the wave up to 4.
+TEST(Dissipation, LeavesAShearAloneThatFrictionResolves)
+{
+    EXPECT_EQ(lossOf(1, 0, 0.1), 0);
+    EXPECT_GT(lossOf(1, 0, 0.01), 1e-5);
+}
+
+// The gradient of noise is of the size of noise: it tells no shear from it, rough parts do.
+TEST(Dissipation, TakesNoiseHoweverViscousTheWaterIs)
+{
+    EXPECT_GT(lossOf(0, 1, 0.1), 0.01);
+}
+
 /// The force per area that a wall law takes from a uniform stream of `speed` over it, over the density: the loss of
 /// momentum of all water. Spacing 1; the stream is 10 deep and 12 long. The wall moves along itself.
 Real dragOfStream(Real speed, Real nu, Real shaken, const Vec<2>& wallVelocity = {}, Real sinking = 0,
