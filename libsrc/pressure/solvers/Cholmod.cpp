@@ -25,7 +25,7 @@ SolverReport Cholmod::solve(const SymmetricMatrix& matrix, Span<const Real> b, S
         factor_.apply(r_, correction_);
         parallelFor(matrix.size(), [&](Index i) { x[i] += correction_[i]; });
         solve.measure();
-        solve.countIteration();
+        solve.countIterations(1);
         if (!solve.done() && !(solve.norm() < kLeastGain * before)) {
             solve.remark("the residual does not fall any further");
             break;

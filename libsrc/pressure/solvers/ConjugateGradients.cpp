@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pressure/solvers/ConjugateGradients.hpp"
 
-#include "core/Parallel.hpp"
 #include "core/Vec.hpp"
+#include "pressure/RowTimes.hpp"
 
 #include <cmath>
 
@@ -29,40 +29,63 @@ void ConjugateGradients::run(Solve& solve, Preconditioner& preconditioner, int i
 
 int ConjugateGradients::descend(Solve& solve, Preconditioner& preconditioner, int iterations)
 {
-    const std::size_t n = solve.matrix().size();
-    const Span<Real> x = solve.x(), r = solve.r();
-    Real rzOld = 0, alpha = 0;
     int used = 0;
-    for (Real norm = solve.norm(); norm > solve.target() && used < iterations; ++used) {
-        preconditioner.apply(r, z_);
+    if (preconditioner.inTeam()) {
+        Team::run(solve.matrix().size(), [&](Team& team) {
+            const int now = descend(team, solve, preconditioner, iterations);
+            if (team.leads()) used = now;
+        });
+    } else {
+        Team team = Team::ofRegions();
+        used = descend(team, solve, preconditioner, iterations);
+    }
+    solve.countIterations(used);
+    solve.measure();
+    return used;
+}
+
+int ConjugateGradients::descend(Team& team, Solve& solve, Preconditioner& preconditioner,
+                                int iterations)
+{
+    const SymmetricMatrix& matrix = solve.matrix();
+    const std::size_t n = matrix.size();
+    const Span<Real> x = solve.x(), r = solve.r(), z = z_, p = p_, q = q_;
+    Real norm = solve.norm(), rzOld = 0, alpha = 0;
+    int used = 0;
+    for (; norm > solve.target() && used < iterations; ++used) {
+        preconditioner.apply(team, r, z);
         Real rz = 0;
         if (used == 0) {
-            p_ = z_;
-            rz = orderedSum(n, [&](Index i) { return r[i] * z_[i]; });
+            rz = team.sumRows(n, [&](Index i) {
+                p[i] = z[i];
+                return r[i] * z[i];
+            });
         } else {  // z.(r - r_old) = -alpha z.q: 0 beside round-off where M is fixed, so no r_old is
                   // kept
-            const Vec<2> dots = orderedSum(n, [&](Index i) {
-                return Vec<2>{r[i] * z_[i], q_[i] * z_[i]};
+            const Vec<2> dots = team.sumRows(n, [&](Index i) {
+                return Vec<2>{r[i] * z[i], q[i] * z[i]};
             });
             rz = dots[0];
-            parallelFor(
-                n, [&, beta = -alpha * dots[1] / rzOld](Index i) { p_[i] = z_[i] + beta * p_[i]; });
+            team.forRows(
+                n, [&, beta = -alpha * dots[1] / rzOld](Index i) { p[i] = z[i] + beta * p[i]; });
+            team.wait();
         }
-        const Real curvature = preconditioner.multiplyAndDot(solve.matrix(), p_, q_);
+        const Real curvature = team.sumRows(n, [&](Index i) {
+            q[i] = rowTimes(matrix, p, i);
+            return p[i] * q[i];
+        });
         if (!(rz > 0) || !(curvature > 0) || !std::isfinite(rz / curvature)) {
-            solve.remark("the matrix is not positive definite");
+            if (team.leads()) solve.remark("the matrix is not positive definite");
             break;
         }
         alpha = rz / curvature;
-        norm = std::sqrt(orderedSum(n, [&](Index i) {
-            x[i] += alpha * p_[i];
-            r[i] -= alpha * q_[i];
+        norm = std::sqrt(team.sumRows(n, [&](Index i) {
+            x[i] += alpha * p[i];
+            r[i] -= alpha * q[i];
             return sqr(r[i]);
         }));
         rzOld = rz;
-        solve.countIteration();
     }
-    solve.measure();
     return used;
 }
 

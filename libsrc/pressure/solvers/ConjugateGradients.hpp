@@ -2,6 +2,7 @@
 // Preconditioned conjugate gradients.
 #pragma once
 #include "pressure/solvers/Solve.hpp"
+#include "pressure/solvers/Team.hpp"
 
 #include <vector>
 
@@ -12,11 +13,13 @@ class Preconditioner {
 public:
     virtual ~Preconditioner() = default;
     virtual void apply(Span<const Real> r, Span<Real> z) = 0;
-    /// y = A x; returns x.y, summed in order. A preconditioner may have A in a form that is faster
-    /// to read and differs by rounding; the residual that ends the solve is that of A itself.
-    virtual Real multiplyAndDot(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y)
+    /// A whole solve is done by one team of threads.
+    virtual bool inTeam() const { return false; }
+    /// As apply() above, called by all threads of a team. Every thread needs its own rows of r
+    /// alone to have been made by then, and has its rows of z when it returns.
+    virtual void apply(Team& team, Span<const Real> r, Span<Real> z)
     {
-        return isph::multiplyAndDot(matrix, x, y);
+        team.single([&](Team&) { apply(r, z); });
     }
 };
 
@@ -34,6 +37,8 @@ public:
 private:
     /// As run() without new starts: the iterations used, r measured at the end.
     int descend(Solve& solve, Preconditioner& preconditioner, int iterations);
+    /// What every thread does of it.
+    int descend(Team& team, Solve& solve, Preconditioner& preconditioner, int iterations);
 
     LargeArray<Real> z_, p_, q_;
 };

@@ -62,7 +62,7 @@ SolverReport Hypre::solve(const SymmetricMatrix& matrix, Span<const Real> b, Spa
             break;
         }
         parallelFor(n, [&](Index i) { x[i] += correction_[i]; });
-        for (int i = 0; i < used; ++i) solve.countIteration();
+        solve.countIterations(used);
         solve.measure();
         if (!solve.done() && solve.iterationsLeft() > 0 && !(solve.norm() < kLeastGain * before)) {
             const bool definite = multiplyAndDot(matrix, correction_, product_) > 0;

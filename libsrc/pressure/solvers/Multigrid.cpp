@@ -150,85 +150,95 @@ Real Multigrid::operatorComplexity() const
     return sum / entries(*matrix_);
 }
 
-Real Multigrid::multiplyAndDot(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y)
-{
-    return sumRows(x.size(), [&, a = levelMatrix(matrix)](Index i) {
-        y[i] = a.rowTimes(x, i);
-        return x[i] * y[i];
-    });
-}
-
 void Multigrid::apply(Span<const Real> r, Span<Real> z)
 {
-    if (direct_ && used_ == 0) return factor_.apply(r, z);
-    cycle(levelMatrix(*matrix_), fine_, 0, r, z);
+    Team::run(r.size(), [&](Team& team) { apply(team, r, z); });
+}
+
+void Multigrid::apply(Team& team, Span<const Real> r, Span<Real> z)
+{
+    if (direct_ && used_ == 0)
+        team.single([&](Team&) { factor_.apply(r, z); });
+    else
+        cycle(team, levelMatrix(*matrix_), fine_, 0, r, z);
 }
 
 /// z = B r. Both smoothing steps are the same, so B is symmetric but for the inner iterations.
+/// Every thread has its rows of z when it returns, others may not have theirs.
 template <class Weight>
-void Multigrid::cycle(const LevelMatrix<Weight>& matrix, Level& level, std::size_t coarser,
-                      Span<const Real> r, Span<Real> z)
+void Multigrid::cycle(Team& team, const LevelMatrix<Weight>& matrix, Level& level,
+                      std::size_t coarser, Span<const Real> r, Span<Real> z)
 {
     const std::size_t n = matrix.size();
     const Span<const Real> inverse = level.inverse;
     const Span<Real> t = level.t;
-    forRows(n, [&](Index i) { z[i] = inverse[i] * r[i]; });
+    team.forRows(n, [&](Index i) { t[i] = inverse[i] * r[i]; });
+    team.wait();
     if (coarser < used_) {
-        forRows(n, [&](Index i) { t[i] = r[i] - matrix.rowTimes(z, i); });
-        correct(level, coarser, z);
-    } else {
-        std::copy(z.begin(), z.end(), t.begin());
+        team.forRows(n, [&](Index i) { z[i] = r[i] - matrix.rowTimes(t, i); });
+        team.wait();
+        correct(team, level, coarser, z);
+        team.wait();
     }
-    forRows(n, [&](Index i) { z[i] = t[i] + inverse[i] * (r[i] - matrix.rowTimes(t, i)); });
+    team.forRows(n, [&](Index i) { z[i] = t[i] + inverse[i] * (r[i] - matrix.rowTimes(t, i)); });
 }
 
-/// t = z + P e with A_c e = P^T t.
-void Multigrid::correct(Level& level, std::size_t coarser, Span<const Real> z)
+/// t += P e with A_c e = P^T residual.
+void Multigrid::correct(Team& team, Level& level, std::size_t coarser, Span<const Real> residual)
 {
     CoarseLevel& coarse = *coarse_[coarser];
     const Aggregation& groups = level.groups;
-    forRows(groups.size(), [&](Index g) {
+    team.forRows(groups.size(), [&](Index g) {
         Real sum = 0;
-        for (const Index i : groups[g]) sum += level.t[i];
+        for (const Index i : groups[g]) sum += residual[i];
         coarse.r[g] = sum;
     });
-    solveCoarse(coarser);
-    forRows(z.size(), [&](Index i) {
-        level.t[i] = z[i] + (groups.group[i] >= 0 ? coarse.x[groups.group[i]] : 0);
+    if (groups.size() < Team::kTeamRows)
+        team.single([&](Team& alone) { solveCoarse(alone, coarser); });
+    else {
+        team.wait();
+        solveCoarse(team, coarser);
+    }
+    team.forRows(level.t.size(), [&](Index i) {
+        if (groups.group[i] >= 0) level.t[i] += coarse.x[groups.group[i]];
     });
 }
 
 /// x ~ A^-1 r by one step of conjugate gradients, by two where one does not quarter the residual.
-void Multigrid::solveCoarse(std::size_t l)
+/// All threads have their rows of x when it returns.
+void Multigrid::solveCoarse(Team& team, std::size_t l)
 {
     CoarseLevel& level = *coarse_[l];
     if (direct_ && l + 1 == used_) return factor_.apply(level.r, level.x);
     const std::size_t n = level.matrix.size();
     const LevelMatrix<Real> a = levelMatrix(level.matrix);
     const Span<Real> r = level.r, x = level.x, c = level.c, d = level.d, v = level.v;
-    cycle(a, level, l + 1, r, c);
-    const Vec<3> first = sumRows(n, [&](Index i) {
+    cycle(team, a, level, l + 1, r, c);
+    team.wait();
+    const Vec<3> first = team.sumRows(n, [&](Index i) {
         v[i] = a.rowTimes(c, i);
         return Vec<3>{c[i] * v[i], c[i] * r[i], sqr(r[i])};
     });
     const Real cv = first[0], step = cv > 0 ? first[1] / cv : 0;
-    const Real left = sumRows(n, [&](Index i) {
+    const Real left = team.sumRows(n, [&](Index i) {
         r[i] -= step * v[i];
         return sqr(r[i]);
     });
     constexpr Real enough = 1.0 / 16;  // of the square
     if (!(left > enough * first[2])) {
-        forRows(n, [&](Index i) { x[i] = step * c[i]; });
-        return;
+        team.forRows(n, [&](Index i) { x[i] = step * c[i]; });
+        return team.wait();
     }
-    cycle(a, level, l + 1, r, d);
-    const Vec<3> second = sumRows(n, [&](Index i) {
+    cycle(team, a, level, l + 1, r, d);
+    team.wait();
+    const Vec<3> second = team.sumRows(n, [&](Index i) {
         return Vec<3>{d[i] * v[i], d[i] * a.rowTimes(d, i), d[i] * r[i]};
     });
     const Real curvature = second[1] - sqr(second[0]) / cv;
     const Real stepD = curvature > 0 ? second[2] / curvature : 0;
     const Real stepC = step - stepD * second[0] / cv;
-    forRows(n, [&](Index i) { x[i] = stepC * c[i] + stepD * d[i]; });
+    team.forRows(n, [&](Index i) { x[i] = stepC * c[i] + stepD * d[i]; });
+    team.wait();
 }
 
 }  // namespace isph

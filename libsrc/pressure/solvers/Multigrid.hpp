@@ -24,7 +24,8 @@ public:
     /// False where a diagonal is not positive, or the coarsest matrix has no Cholesky factor.
     bool setUp(const SymmetricMatrix& matrix);
     void apply(Span<const Real> r, Span<Real> z) override;
-    Real multiplyAndDot(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y) override;
+    bool inTeam() const override { return true; }
+    void apply(Team& team, Span<const Real> r, Span<Real> z) override;
 
     std::size_t levels() const { return used_ + 1; }
     /// Entries of all levels over those of level 0.
@@ -58,10 +59,10 @@ private:
     bool factorise(CoarseMatrix& coarsest);
 
     template <class Weight>
-    void cycle(const LevelMatrix<Weight>& matrix, Level& level, std::size_t coarser,
+    void cycle(Team& team, const LevelMatrix<Weight>& matrix, Level& level, std::size_t coarser,
                Span<const Real> r, Span<Real> z);
-    void correct(Level& level, std::size_t coarser, Span<const Real> z);
-    void solveCoarse(std::size_t l);
+    void correct(Team& team, Level& level, std::size_t coarser, Span<const Real> residual);
+    void solveCoarse(Team& team, std::size_t l);
 
     const SymmetricMatrix* matrix_ = nullptr;  ///< of the last setUp()
     Level fine_;

@@ -21,7 +21,7 @@ public:
     Real norm() const { return norm_; }  ///< |r| as measured last
     bool done() const { return norm_ <= target_; }
     int iterationsLeft() const { return controls_.maxIter - report_.iterations; }
-    void countIteration() { ++report_.iterations; }
+    void countIterations(int used) { report_.iterations += used; }
     void remark(const std::string& text);
 
     /// Recomputes r = b - A x and its norm.

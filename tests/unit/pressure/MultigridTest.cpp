@@ -19,7 +19,7 @@ RowSums sumsOf(const SymmetricMatrix& a)
     RowSums sums;
     sums.resize(a.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
-        sums.excess[i] = a.diagonal[i];
+        sums.excess[i] = a.diagonal[i], sums.largest[i] = 0;
         for (PairIndex k = a.rowStart[i]; k < a.rowStart[i + 1]; ++k) {
             const Real a_ij = a.offDiagonal[k];
             sums.excess[i] += a_ij;
