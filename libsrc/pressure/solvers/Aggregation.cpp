@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace isph {
 
@@ -70,64 +71,55 @@ CellKey coarserKey(CellKey key)
     return (key & ~coordinates) | ((key & coordinates) >> 1 & ~carried);
 }
 
-/// Cells whose keys agree here share a bucket. Neighbours in the last direction share a cache line,
-/// the others are spread.
-std::size_t Aggregation::bucketOf(CellKey key) const
-{
-    // The high bits of the product have something of all bits of the key.
-    const CellKey spread = (key >> kBits) * 0x9E3779B97F4A7C15ULL >> 32;
-    return ((key & kMask) + spread * 64) & (head_.size() - 1);
-}
-
-/// Lists the rows that are in by bucket.
-void Aggregation::sortByKey(Span<const CellKey> keys)
-{
-    head_.assign(std::bit_ceil(keys.size() / 2 + 1), -1);
-    next_.resize(keys.size());
-    for (auto i = static_cast<Index>(keys.size()); i-- > 0;) {
-        if (root_[i] < 0) continue;
-        Index& head = head_[bucketOf(keys[i])];
-        next_[i] = head;
-        head = i;
-    }
-}
-
-/// Unites the strongly connected rows of each cell of the bucket that begins with row `first`.
+/// Unites each row of the run with the strong neighbours of its cell before it: rows are read as
+/// they lie in memory, and half of each. Where columns do not ascend all of them are looked at.
 template <class Weight>
-void Aggregation::uniteBucket(const LevelMatrix<Weight>& matrix, const RowSums& sums,
-                              Span<const CellKey> keys, Real strength, Index first)
+void Aggregation::uniteRun(const LevelMatrix<Weight>& matrix, const RowSums& sums,
+                           Span<const CellKey> keys, Real strength, Run& run)
 {
-    // A piece of m rows is found after m - 1 unions; most cells are one piece at their first row.
-    int missing = 0;
-    for (Index i = next_[first]; i >= 0; i = next_[i]) {
-        Index cell = first;  // its first row
-        while (keys[cell] != keys[i]) cell = next_[cell];
-        missing += cell != i;
-    }
-    for (Index i = first; i >= 0 && missing > 0; i = next_[i])
-        for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1] && missing > 0; ++k) {
-            const Index j = matrix.column[k];
-            if (j < i || keys[j] != keys[i] || root_[j] < 0) continue;  // each pair once
+    constexpr bool ascending = std::is_same_v<Weight, float>;
+    run.across.clear();
+    const Index* const column = matrix.column.data();
+    for (Index i = run.first; i < run.last; ++i) {
+        root_[i] = staysOut(matrix, sums, i) ? -1 : i;
+        if (root_[i] < 0) continue;
+        Index root = i;
+        for (PairIndex k = matrix.rowStart[i], end = matrix.rowStart[i + 1]; k < end; ++k) {
+            const Index j = column[k];
+            if (ascending && j > i) break;
+            if (keys[j] != keys[i] || j > i) continue;
             const Real strong = strength * std::max(sums.largest[i], sums.largest[j]);
             if (!(-static_cast<Real>(matrix.offDiagonal[k]) >= strong)) continue;
-            const Index a = find(root_, i), b = find(root_, j);
-            if (a == b) continue;
-            root_[std::max(a, b)] = std::min(a, b);
-            --missing;
+            if (j < run.first) {
+                if (!staysOut(matrix, sums, j)) run.across.push_back({i, j});
+            } else if (root_[j] >= 0) {
+                const Index other = find(root_, j);
+                root_[std::max(root, other)] = std::min(root, other);
+                root = std::min(root, other);
+            }
         }
-    for (Index i = first; i >= 0; i = next_[i]) root_[i] = find(root_, i);
+    }
 }
 
 template <class Weight>
 void Aggregation::byCells(const LevelMatrix<Weight>& matrix, const RowSums& sums,
                           Span<const CellKey> keys, Real strength)
 {
-    root_.resize(matrix.size());
-    forRows(matrix.size(), [&](Index i) { root_[i] = staysOut(matrix, sums, i) ? -1 : i; });
-    sortByKey(keys);
-    forRows(matrix.size(), [&](Index i) {  // in the order of the rows, as they lie in memory
-        if (head_[bucketOf(keys[i])] == i) uniteBucket(matrix, sums, keys, strength, i);
-    });
+    const std::size_t n = matrix.size();
+    root_.resize(n);
+    runs_.resize(n < kSerialRows ? 1 : threadCount());
+    const auto runs = static_cast<int>(runs_.size());
+#pragma omp parallel for schedule(static, 1) if (runs > 1)
+    for (int r = 0; r < runs; ++r) {
+        runs_[r].first = static_cast<Index>(n * r / runs);
+        runs_[r].last = static_cast<Index>(n * (r + 1) / runs);
+        uniteRun(matrix, sums, keys, strength, runs_[r]);
+    }
+    for (const Run& run : runs_)
+        for (const auto& [i, j] : run.across) {
+            const Index a = find(root_, i), b = find(root_, j);
+            root_[std::max(a, b)] = std::min(a, b);
+        }
     number();
 }
 
@@ -184,6 +176,7 @@ void Aggregation::number()
             group[i] = -1;
             continue;
         }
+        root_[i] = root_[root_[i]];  // the lowest row of the piece: it comes first
         Index& number = next_[root_[i]];
         if (number < 0) number = groups++;
         group[i] = number;

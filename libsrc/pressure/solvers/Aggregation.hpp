@@ -3,6 +3,7 @@
 #pragma once
 #include "pressure/solvers/LevelLoops.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -29,7 +30,7 @@ CellKey coarserKey(CellKey key);
 /// Groups of rows, numbered in the order of their first rows.
 class Aggregation {
 public:
-    LargeArray<Index> group;  ///< of every row; -1: none, the smoother alone solves the row
+    LargeArray<Index> group;          ///< of every row; -1: none, the smoother alone solves the row
     LargeArray<Index> start, member;  ///< rows of each group, ascending
 
     std::size_t size() const { return start.empty() ? 0 : start.size() - 1; }
@@ -50,15 +51,20 @@ public:
     void byNeighbours(const LevelMatrix<Weight>& matrix, const RowSums& sums, Real strength);
 
 private:
+    /// Rows that one thread unites, and pairs of strong neighbours of one cell of which one comes
+    /// before them.
+    struct Run {
+        Index first = 0, last = 0;
+        std::vector<std::array<Index, 2>> across;
+    };
     template <class Weight>
-    void uniteBucket(const LevelMatrix<Weight>& matrix, const RowSums& sums,
-                     Span<const CellKey> keys, Real strength, Index first);
-    std::size_t bucketOf(CellKey key) const;
-    void sortByKey(Span<const CellKey> keys);
+    void uniteRun(const LevelMatrix<Weight>& matrix, const RowSums& sums, Span<const CellKey> keys,
+                  Real strength, Run& run);
     void number();
 
-    LargeArray<Index> root_;         ///< any one row of the piece; -1: the row stays out
-    LargeArray<Index> head_, next_;  ///< rows of each bucket of keys, ascending; -1: the end
+    LargeArray<Index> root_;  ///< any one row of the piece; -1: the row stays out
+    LargeArray<Index> next_;  ///< of each root: its number
+    std::vector<Run> runs_;
 };
 
 }  // namespace isph
