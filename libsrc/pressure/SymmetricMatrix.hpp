@@ -19,22 +19,21 @@ struct RowPlaces {
     bool known() const { return dimension > 0; }
 };
 
-/// Rows hold both halves of the off-diagonal entries, columns ascending; the diagonal stands apart.
-template <class Weight>
-struct RowMatrix {
+/// The matrix of the pressure equation: an entry takes 8 bytes. Rows hold both halves of the
+/// off-diagonal entries; the diagonal stands apart. Whoever assembles it sums the diagonal from the
+/// rounded off-diagonals, so that row sums are what they should be: a constant pressure drives
+/// nothing. Rounding changes coefficients by 6e-8, no more.
+struct SymmetricMatrix {
     LargeArray<PairIndex> rowStart{0};  ///< size()+1
     LargeArray<Index> column;
-    LargeArray<Weight> offDiagonal;
+    LargeArray<float> offDiagonal;
     LargeArray<Real> diagonal;
     RowPlaces places{};  ///< optional; whoever assembles the matrix fills it or leaves it unknown
 
+    bool ascending = true;  ///< the columns of every row; coarse levels of a solver do without
+
     std::size_t size() const { return diagonal.size(); }
 };
-
-/// The matrix of the pressure equation: an entry takes 8 bytes. Whoever assembles it sums the
-/// diagonal from the rounded off-diagonals, so that row sums are what they should be: a constant
-/// pressure drives nothing. Rounding changes coefficients by 6e-8, no more.
-using SymmetricMatrix = RowMatrix<float>;
 
 /// y = A x
 void multiply(const SymmetricMatrix& matrix, Span<const Real> x, Span<Real> y);

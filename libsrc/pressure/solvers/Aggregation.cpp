@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace isph {
 
@@ -21,8 +20,7 @@ constexpr int kBits = 20;
 constexpr CellKey kMask = (CellKey{1} << kBits) - 1;
 constexpr int kGridBit = 3 * kBits, kGrids = 16;
 
-template <class Weight>
-bool staysOut(const LevelMatrix<Weight>& matrix, const RowSums& sums, Index i)
+bool staysOut(const SymmetricMatrix& matrix, const RowSums& sums, Index i)
 {
     const Real offDiagonals = matrix.diagonal[i] - sums.excess[i];
     return sums.largest[i] == 0 || sums.excess[i] > kDominance * offDiagonals;
@@ -72,12 +70,10 @@ CellKey coarserKey(CellKey key)
 }
 
 /// Unites each row of the run with the strong neighbours of its cell before it: rows are read as
-/// they lie in memory, and half of each. Where columns do not ascend all of them are looked at.
-template <class Weight>
-void Aggregation::uniteRun(const LevelMatrix<Weight>& matrix, const RowSums& sums,
+/// they lie in memory, and half of each where columns ascend.
+void Aggregation::uniteRun(const SymmetricMatrix& matrix, const RowSums& sums,
                            Span<const CellKey> keys, Real strength, Run& run)
 {
-    constexpr bool ascending = std::is_same_v<Weight, float>;
     run.across.clear();
     const Index* const column = matrix.column.data();
     for (Index i = run.first; i < run.last; ++i) {
@@ -86,7 +82,7 @@ void Aggregation::uniteRun(const LevelMatrix<Weight>& matrix, const RowSums& sum
         Index root = i;
         for (PairIndex k = matrix.rowStart[i], end = matrix.rowStart[i + 1]; k < end; ++k) {
             const Index j = column[k];
-            if (ascending && j > i) break;
+            if (j > i && matrix.ascending) break;
             if (keys[j] != keys[i] || j > i) continue;
             const Real strong = strength * std::max(sums.largest[i], sums.largest[j]);
             if (!(-static_cast<Real>(matrix.offDiagonal[k]) >= strong)) continue;
@@ -101,8 +97,7 @@ void Aggregation::uniteRun(const LevelMatrix<Weight>& matrix, const RowSums& sum
     }
 }
 
-template <class Weight>
-void Aggregation::byCells(const LevelMatrix<Weight>& matrix, const RowSums& sums,
+void Aggregation::byCells(const SymmetricMatrix& matrix, const RowSums& sums,
                           Span<const CellKey> keys, Real strength)
 {
     const std::size_t n = matrix.size();
@@ -123,9 +118,7 @@ void Aggregation::byCells(const LevelMatrix<Weight>& matrix, const RowSums& sums
     number();
 }
 
-template <class Weight>
-void Aggregation::byNeighbours(const LevelMatrix<Weight>& matrix, const RowSums& sums,
-                               Real strength)
+void Aggregation::byNeighbours(const SymmetricMatrix& matrix, const RowSums& sums, Real strength)
 {
     const auto n = static_cast<Index>(matrix.size());
     constexpr Index out = -1, free = -2;
@@ -190,13 +183,5 @@ void Aggregation::number()
         if (group[i] >= 0) member[start[group[i] + 1]++] = i;
     start.pop_back();
 }
-
-#define ISPH_INSTANTIATE(Weight)                                                   \
-    template void Aggregation::byCells(const LevelMatrix<Weight>&, const RowSums&, \
-                                       Span<const CellKey>, Real);                 \
-    template void Aggregation::byNeighbours(const LevelMatrix<Weight>&, const RowSums&, Real);
-ISPH_INSTANTIATE(float)
-ISPH_INSTANTIATE(Real)
-#undef ISPH_INSTANTIATE
 
 }  // namespace isph

@@ -42,13 +42,11 @@ public:
     /// Rows of equal key, split into pieces that are connected by entries with
     /// |a_ij| >= strength max(largest_i, largest_j). So groups reach across no jump of the
     /// coefficient, no thin wall and no gap. Rows whose excess is most of their diagonal stay out.
-    template <class Weight>
-    void byCells(const LevelMatrix<Weight>& matrix, const RowSums& sums, Span<const CellKey> keys,
+    void byCells(const SymmetricMatrix& matrix, const RowSums& sums, Span<const CellKey> keys,
                  Real strength);
     /// Where no places are known: a row and its strong neighbours, as long as those are free
     /// (Vanek, Mandel & Brezina 1996, Computing 56, 179-196, algorithm 5.1). One thread.
-    template <class Weight>
-    void byNeighbours(const LevelMatrix<Weight>& matrix, const RowSums& sums, Real strength);
+    void byNeighbours(const SymmetricMatrix& matrix, const RowSums& sums, Real strength);
 
 private:
     /// Rows that one thread unites, and pairs of strong neighbours of one cell of which one comes
@@ -57,8 +55,7 @@ private:
         Index first = 0, last = 0;
         std::vector<std::array<Index, 2>> across;
     };
-    template <class Weight>
-    void uniteRun(const LevelMatrix<Weight>& matrix, const RowSums& sums, Span<const CellKey> keys,
+    void uniteRun(const SymmetricMatrix& matrix, const RowSums& sums, Span<const CellKey> keys,
                   Real strength, Run& run);
     void number();
 

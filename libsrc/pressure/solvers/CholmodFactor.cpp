@@ -44,7 +44,7 @@ struct CholmodFactor::State {
     cholmod_factor* factor = nullptr;
     bool numeric = false;  ///< the factor holds numbers, not only the pattern
     cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;  ///< kept by CHOLMOD between solves
-    LargeArray<PairIndex> rowStart;                         ///< pattern that was analysed
+    LargeArray<PairIndex> rowStart;                          ///< pattern that was analysed
     LargeArray<Index> column;
     std::vector<int> ordering;  ///< found anew last, for freshFill entries of the factor
     double freshFill = 0;
@@ -67,16 +67,14 @@ struct CholmodFactor::State {
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
-    template <class Weight>
-    void copyLowerHalf(const RowMatrix<Weight>& matrix);
+    void copyLowerHalf(const SymmetricMatrix& matrix);
     cholmod_sparse view();
     void analyse(cholmod_sparse& a);
     bool analyseInKeptOrder(cholmod_sparse& a);
     void check() const;
 };
 
-template <class Weight>
-void CholmodFactor::State::copyLowerHalf(const RowMatrix<Weight>& matrix)
+void CholmodFactor::State::copyLowerHalf(const SymmetricMatrix& matrix)
 {
     const std::size_t n = matrix.size();
     start.resize(n + 1), row.clear(), value.clear();
@@ -85,7 +83,7 @@ void CholmodFactor::State::copyLowerHalf(const RowMatrix<Weight>& matrix)
         row.push_back(static_cast<int>(i));
         value.push_back(matrix.diagonal[i]);
         for (PairIndex k = matrix.rowStart[i]; k < matrix.rowStart[i + 1]; ++k) {
-            if (matrix.column[k] < static_cast<Index>(i)) continue;
+            if (matrix.column[k] <= static_cast<Index>(i)) continue;
             row.push_back(matrix.column[k]);
             value.push_back(static_cast<Real>(matrix.offDiagonal[k]));
         }
@@ -147,18 +145,7 @@ CholmodFactor::CholmodFactor() : state_(std::make_unique<State>())
 }
 CholmodFactor::~CholmodFactor() = default;
 
-bool CholmodFactor::factorise(const RowMatrix<float>& matrix)
-{
-    return factoriseAny(matrix);
-}
-
-bool CholmodFactor::factorise(const RowMatrix<Real>& matrix)
-{
-    return factoriseAny(matrix);
-}
-
-template <class Weight>
-bool CholmodFactor::factoriseAny(const RowMatrix<Weight>& matrix)
+bool CholmodFactor::factorise(const SymmetricMatrix& matrix)
 {
     const OneThread guard;
     State& s = *state_;

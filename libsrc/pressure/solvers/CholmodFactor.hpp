@@ -19,8 +19,7 @@ public:
 
     /// False where A is not positive definite; no factor is then held.
     /// Throws FatalError where the factor does not fit into memory.
-    bool factorise(const RowMatrix<float>& matrix);
-    bool factorise(const RowMatrix<Real>& matrix);
+    bool factorise(const SymmetricMatrix& matrix);
     /// z = A^-1 r
     void apply(Span<const Real> r, Span<Real> z) override;
 
@@ -29,9 +28,6 @@ public:
     void forget();
 
 private:
-    template <class Weight>
-    bool factoriseAny(const RowMatrix<Weight>& matrix);
-
     struct State;
     std::unique_ptr<State> state_;
 };

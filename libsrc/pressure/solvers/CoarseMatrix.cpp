@@ -6,9 +6,8 @@
 
 namespace isph {
 
-template <class Weight>
-void CoarseMatrixBuilder::build(const LevelMatrix<Weight>& fine, const RowSums& fineSums,
-                                const Aggregation& groups, CoarseMatrix& coarse,
+void CoarseMatrixBuilder::build(const SymmetricMatrix& fine, const RowSums& fineSums,
+                                const Aggregation& groups, SymmetricMatrix& coarse,
                                 RowSums& coarseSums)
 {
     const std::size_t n = groups.size();
@@ -29,13 +28,13 @@ void CoarseMatrixBuilder::build(const LevelMatrix<Weight>& fine, const RowSums& 
 
 namespace {
 constexpr Index kSelf = 0, kUngrouped = 1, kOthers = 2;  // places in the row at hand
-constexpr std::size_t kWide = 20;                         // entries of a row
-}
+constexpr Index kFour = 4;                               // entries of a row are a multiple of it
+constexpr std::size_t kWide = 20;                        // entries of a row
+}  // namespace
 
 /// Sums the rows of group g into part.column and part.value; returns how many places it took.
-template <class Weight>
-Index CoarseMatrixBuilder::sumRow(const LevelMatrix<Weight>& fine, const Aggregation& groups,
-                                  Index g, Index base, Part& part)
+Index CoarseMatrixBuilder::sumRow(const SymmetricMatrix& fine, const Aggregation& groups, Index g,
+                                  Index base, Part& part)
 {
     std::size_t most = kOthers;
     for (const Index i : groups[g]) most += fine.rowStart[i + 1] - fine.rowStart[i];
@@ -58,18 +57,18 @@ Index CoarseMatrixBuilder::sumRow(const LevelMatrix<Weight>& fine, const Aggrega
     return entries;
 }
 
-template <class Weight>
-void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums& fineSums,
-                                 const Aggregation& groups, Part& part, CoarseMatrix& coarse,
+void CoarseMatrixBuilder::gather(const SymmetricMatrix& fine, const RowSums& fineSums,
+                                 const Aggregation& groups, Part& part, SymmetricMatrix& coarse,
                                  RowSums& coarseSums)
 {
     part.slot.assign(groups.size() + 1, -1);
     const bool leads = &part == &parts_.front();
     LargeArray<Index>& columns = leads ? coarse.column : part.columns;
-    LargeArray<Real>& values = leads ? coarse.offDiagonal : part.values;
+    LargeArray<float>& values = leads ? coarse.offDiagonal : part.values;
     columns.clear(), values.clear();
     const std::size_t rows = leads ? groups.size() : part.last - part.first;
-    // The wide rows of particles make coarse ones of less than half their entries, rows of cells about as many.
+    // The wide rows of particles make coarse ones of less than half their entries, rows of cells
+    // about as many.
     const std::size_t entriesOfRow = fine.column.size() / fine.size();
     const std::size_t room = rows * ((entriesOfRow > kWide ? entriesOfRow / 2 : entriesOfRow) + 1);
     columns.reserve(room), values.reserve(room);
@@ -80,14 +79,17 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
         for (const Index i : groups[g]) excess += fineSums.excess[i];
         Real sum = 0, largest = 0;
         for (Index e = kOthers; e < entries; ++e) {
-            sum -= part.value[e];
-            largest = std::max(largest, -part.value[e]);
+            const auto rounded = static_cast<float>(part.value[e]);
+            values.push_back(rounded);
+            sum -= static_cast<Real>(rounded);
+            largest = std::max(largest, -static_cast<Real>(rounded));
         }
         const auto column = part.column.begin();
-        const auto value = part.value.begin();
         columns.insert(columns.end(), column + kOthers, column + entries);
-        values.insert(values.end(), value + kOthers, value + entries);
-        coarse.rowStart[g + 1] = entries - kOthers;
+        const Index filling = (kOthers - entries) & (kFour - 1);
+        columns.insert(columns.end(), filling, g);
+        values.insert(values.end(), filling, 0);
+        coarse.rowStart[g + 1] = entries - kOthers + filling;
         coarse.diagonal[g] = excess + sum;
         coarseSums.excess[g] = excess;
         coarseSums.largest[g] = largest;
@@ -95,8 +97,9 @@ void CoarseMatrixBuilder::gather(const LevelMatrix<Weight>& fine, const RowSums&
     }
 }
 
-void CoarseMatrixBuilder::join(CoarseMatrix& coarse)
+void CoarseMatrixBuilder::join(SymmetricMatrix& coarse)
 {
+    coarse.ascending = false;
     coarse.rowStart[0] = 0;
     for (std::size_t g = 0; g < coarse.size(); ++g) coarse.rowStart[g + 1] += coarse.rowStart[g];
     coarse.column.resize(coarse.rowStart.back());
@@ -113,9 +116,9 @@ void CoarseMatrixBuilder::join(CoarseMatrix& coarse)
     }
 }
 
-void sortColumns(CoarseMatrix& matrix)
+void sortColumns(SymmetricMatrix& matrix)
 {
-    std::vector<std::pair<Index, Real>> row;
+    std::vector<std::pair<Index, float>> row;
     for (std::size_t i = 0; i < matrix.size(); ++i) {
         const PairIndex begin = matrix.rowStart[i], end = matrix.rowStart[i + 1];
         row.clear();
@@ -127,12 +130,5 @@ void sortColumns(CoarseMatrix& matrix)
             std::tie(matrix.column[k], matrix.offDiagonal[k]) = row[k - begin];
     }
 }
-
-#define ISPH_INSTANTIATE(Weight)                                                         \
-    template void CoarseMatrixBuilder::build(const LevelMatrix<Weight>&, const RowSums&, \
-                                             const Aggregation&, CoarseMatrix&, RowSums&);
-ISPH_INSTANTIATE(float)
-ISPH_INSTANTIATE(Real)
-#undef ISPH_INSTANTIATE
 
 }  // namespace isph

@@ -5,17 +5,15 @@
 
 namespace isph {
 
-/// Coarse levels are double: in single precision jumps of 1e6 are lost.
-using CoarseMatrix = RowMatrix<Real>;
-
 /// A_c = P^T A P with P_ig = 1 where row i belongs to group g: the sum of all entries between two
 /// groups. The diagonal is made as excess + sum of |off-diagonals|, not as the sum of what lies
-/// within a group: strong entries there would cancel and take the weak ones' digits with them.
+/// within a group: strong entries there would cancel and take the weak ones' digits with them. So
+/// it fits the off-diagonals rounded to single precision: no jump is too large for them. Entries of
+/// 0 fill rows up to multiples of four, for rowTimes().
 class CoarseMatrixBuilder {
 public:
-    template <class Weight>
-    void build(const LevelMatrix<Weight>& fine, const RowSums& fineSums, const Aggregation& groups,
-               CoarseMatrix& coarse, RowSums& coarseSums);
+    void build(const SymmetricMatrix& fine, const RowSums& fineSums, const Aggregation& groups,
+               SymmetricMatrix& coarse, RowSums& coarseSums);
 
 private:
     /// The rows of a run of groups, made by one thread. The row at hand is summed in `column` and
@@ -26,20 +24,18 @@ private:
         LargeArray<Index> column;
         LargeArray<Real> value;
         LargeArray<Index> columns;  ///< of all rows; the first part's go into the coarse matrix
-        LargeArray<Real> values;
+        LargeArray<float> values;
     };
-    template <class Weight>
-    Index sumRow(const LevelMatrix<Weight>& fine, const Aggregation& groups, Index g, Index base,
+    Index sumRow(const SymmetricMatrix& fine, const Aggregation& groups, Index g, Index base,
                  Part& part);
-    template <class Weight>
-    void gather(const LevelMatrix<Weight>& fine, const RowSums& fineSums, const Aggregation& groups,
-                Part& part, CoarseMatrix& coarse, RowSums& coarseSums);
-    void join(CoarseMatrix& coarse);
+    void gather(const SymmetricMatrix& fine, const RowSums& fineSums, const Aggregation& groups,
+                Part& part, SymmetricMatrix& coarse, RowSums& coarseSums);
+    void join(SymmetricMatrix& coarse);
 
     std::vector<Part> parts_;
 };
 
 /// Brings the columns of every row into ascending order.
-void sortColumns(CoarseMatrix& matrix);
+void sortColumns(SymmetricMatrix& matrix);
 
 }  // namespace isph

@@ -3,7 +3,6 @@
 #pragma once
 #include "core/Parallel.hpp"
 #include "core/Vec.hpp"
-#include "pressure/RowTimes.hpp"
 #include "pressure/SymmetricMatrix.hpp"
 
 namespace isph {
@@ -27,27 +26,6 @@ auto sumRows(std::size_t n, Term&& term)
     decltype(term(Index{0})) sum{};
     for (Index i = 0; i < static_cast<Index>(n); ++i) sum = sum + term(i);
     return sum;
-}
-
-/// A symmetric matrix whose off-diagonals may be in single precision; it refers to arrays of
-/// others.
-template <class Weight>
-struct LevelMatrix {
-    Span<const PairIndex> rowStart;
-    Span<const Index> column;
-    Span<const Weight> offDiagonal;
-    Span<const Real> diagonal;
-
-    std::size_t size() const { return diagonal.size(); }
-
-    /// (A x)_i
-    Real rowTimes(Span<const Real> x, Index i) const { return isph::rowTimes(*this, x, i); }
-};
-
-template <class Weight>
-LevelMatrix<Weight> levelMatrix(const RowMatrix<Weight>& matrix)
-{
-    return {matrix.rowStart, matrix.column, matrix.offDiagonal, matrix.diagonal};
 }
 
 }  // namespace isph

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pressure/solvers/Multigrid.hpp"
 
+#include "pressure/RowTimes.hpp"
+
 #include <algorithm>
 
 namespace isph {
@@ -81,20 +83,18 @@ bool Multigrid::coarsen(const SymmetricMatrix& matrix)
 {
     direct_ = true;
     if (matrix.size() <= kDirectRows) return factor_.forget(), factor_.factorise(matrix);
-    const LevelMatrix<float> fine = levelMatrix(matrix);
-    if (!group(fine, fine_)) return direct_ = false, true;
-    addLevel(fine, fine_);
-    while (true) {
-        CoarseLevel& level = *coarse_[used_ - 1];
-        if (level.matrix.size() <= kDirectRows) return factorise(level.matrix);
-        if (!group(levelMatrix(level.matrix), level)) return direct_ = false, true;
-        addLevel(levelMatrix(level.matrix), level);
+    const SymmetricMatrix* finer = &matrix;
+    for (Level* level = &fine_;;) {
+        if (!group(*finer, *level)) return direct_ = false, true;
+        addLevel(*finer, *level);
+        CoarseLevel& coarse = *coarse_[used_ - 1];
+        if (coarse.matrix.size() <= kDirectRows) return factorise(coarse.matrix);
+        finer = &coarse.matrix, level = &coarse;
     }
 }
 
 /// Groups the rows of a level. False where all stay out: the smoother solves them.
-template <class Weight>
-bool Multigrid::group(const LevelMatrix<Weight>& matrix, Level& level)
+bool Multigrid::group(const SymmetricMatrix& matrix, Level& level)
 {
     const std::size_t n = matrix.size();
     const auto enough = [&, most = kReduction * static_cast<Real>(n)] {
@@ -116,8 +116,7 @@ bool Multigrid::group(const LevelMatrix<Weight>& matrix, Level& level)
 }
 
 /// The level below `level`, whose rows have been grouped.
-template <class Weight>
-void Multigrid::addLevel(const LevelMatrix<Weight>& matrix, const Level& level)
+void Multigrid::addLevel(const SymmetricMatrix& matrix, const Level& level)
 {
     if (used_ == coarse_.size()) coarse_.push_back(std::make_unique<CoarseLevel>());
     CoarseLevel& coarse = *coarse_[used_++];
@@ -132,7 +131,7 @@ void Multigrid::addLevel(const LevelMatrix<Weight>& matrix, const Level& level)
                 [&](Index g) { coarse.keys[g] = coarserKey(level.keys[level.groups[g].front()]); });
 }
 
-bool Multigrid::factorise(CoarseMatrix& coarsest)
+bool Multigrid::factorise(SymmetricMatrix& coarsest)
 {
     for (Real& diagonal : coarsest.diagonal) diagonal *= 1 + kShift;
     sortColumns(coarsest);
@@ -160,14 +159,13 @@ void Multigrid::apply(Team& team, Span<const Real> r, Span<Real> z)
     if (direct_ && used_ == 0)
         team.single([&](Team&) { factor_.apply(r, z); });
     else
-        cycle(team, levelMatrix(*matrix_), fine_, 0, r, z);
+        cycle(team, *matrix_, fine_, 0, r, z);
 }
 
 /// z = B r. Both smoothing steps are the same, so B is symmetric but for the inner iterations.
 /// Every thread has its rows of z when it returns, others may not have theirs.
-template <class Weight>
-void Multigrid::cycle(Team& team, const LevelMatrix<Weight>& matrix, Level& level,
-                      std::size_t coarser, Span<const Real> r, Span<Real> z)
+void Multigrid::cycle(Team& team, const SymmetricMatrix& matrix, Level& level, std::size_t coarser,
+                      Span<const Real> r, Span<Real> z)
 {
     const std::size_t n = matrix.size();
     const Span<const Real> inverse = level.inverse;
@@ -175,12 +173,12 @@ void Multigrid::cycle(Team& team, const LevelMatrix<Weight>& matrix, Level& leve
     team.forRows(n, [&](Index i) { t[i] = inverse[i] * r[i]; });
     team.wait();
     if (coarser < used_) {
-        team.forRows(n, [&](Index i) { z[i] = r[i] - matrix.rowTimes(t, i); });
+        team.forRows(n, [&](Index i) { z[i] = r[i] - rowTimes(matrix, t, i); });
         team.wait();
         correct(team, level, coarser, z);
         team.wait();
     }
-    team.forRows(n, [&](Index i) { z[i] = t[i] + inverse[i] * (r[i] - matrix.rowTimes(t, i)); });
+    team.forRows(n, [&](Index i) { z[i] = t[i] + inverse[i] * (r[i] - rowTimes(matrix, t, i)); });
 }
 
 /// t += P e with A_c e = P^T residual.
@@ -211,12 +209,12 @@ void Multigrid::solveCoarse(Team& team, std::size_t l)
     CoarseLevel& level = *coarse_[l];
     if (direct_ && l + 1 == used_) return factor_.apply(level.r, level.x);
     const std::size_t n = level.matrix.size();
-    const LevelMatrix<Real> a = levelMatrix(level.matrix);
+    const SymmetricMatrix& a = level.matrix;
     const Span<Real> r = level.r, x = level.x, c = level.c, d = level.d, v = level.v;
     cycle(team, a, level, l + 1, r, c);
     team.wait();
     const Vec<3> first = team.sumRows(n, [&](Index i) {
-        v[i] = a.rowTimes(c, i);
+        v[i] = rowTimes(a, c, i);
         return Vec<3>{c[i] * v[i], c[i] * r[i], sqr(r[i])};
     });
     const Real cv = first[0], step = cv > 0 ? first[1] / cv : 0;
@@ -232,7 +230,7 @@ void Multigrid::solveCoarse(Team& team, std::size_t l)
     cycle(team, a, level, l + 1, r, d);
     team.wait();
     const Vec<3> second = team.sumRows(n, [&](Index i) {
-        return Vec<3>{d[i] * v[i], d[i] * a.rowTimes(d, i), d[i] * r[i]};
+        return Vec<3>{d[i] * v[i], d[i] * rowTimes(a, d, i), d[i] * r[i]};
     });
     const Real curvature = second[1] - sqr(second[0]) / cv;
     const Real stepD = curvature > 0 ? second[2] / curvature : 0;

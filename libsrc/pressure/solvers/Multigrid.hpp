@@ -16,9 +16,10 @@ namespace isph {
 /// which makes up for what piecewise constant corrections lack; the coarsest by a Cholesky factor.
 /// The inner steps make B depend on r a little: it needs flexible conjugate gradients outside.
 ///
-/// Level 0 is A itself, with off-diagonals in single precision; coarse levels are double. Groups of
-/// rows come from the places of the rows (Aggregation::byCells), from the coefficients alone where
-/// places are not known. No state is kept from matrix to matrix.
+/// Off-diagonals are in single precision, all else in double. A whole solve is done by one team of
+/// threads; levels of few rows are left to one of them. Groups of rows come from the places of the
+/// rows (Aggregation::byCells), from the coefficients alone where places are not known. No state is
+/// kept from matrix to matrix.
 class Multigrid : public Preconditioner {
 public:
     /// False where a diagonal is not positive, or the coarsest matrix has no Cholesky factor.
@@ -34,9 +35,9 @@ public:
 private:
     /// What every level has to smooth and to go down.
     struct Level {
-        RowSums sums;               ///< while the hierarchy is made
+        RowSums sums;              ///< while the hierarchy is made
         LargeArray<CellKey> keys;  ///< empty: places are not known
-        Aggregation groups;         ///< unused on the coarsest level
+        Aggregation groups;        ///< unused on the coarsest level
         LargeArray<Real> inverse;  ///< of the smoother, damping included; in the memory of sums
         LargeArray<Real> t;        ///< the same
 
@@ -45,21 +46,18 @@ private:
     };
     /// Right-hand side r, solution x, corrections c, d of the two steps, v = A c.
     struct CoarseLevel : Level {
-        CoarseMatrix matrix;
+        SymmetricMatrix matrix;
         LargeArray<Real> r, x, c, d, v;
     };
 
     bool sumFine(const SymmetricMatrix& matrix);
     bool coarsen(const SymmetricMatrix& matrix);
     void finish(const SymmetricMatrix& matrix);
-    template <class Weight>
-    bool group(const LevelMatrix<Weight>& matrix, Level& level);
-    template <class Weight>
-    void addLevel(const LevelMatrix<Weight>& matrix, const Level& level);
-    bool factorise(CoarseMatrix& coarsest);
+    bool group(const SymmetricMatrix& matrix, Level& level);
+    void addLevel(const SymmetricMatrix& matrix, const Level& level);
+    bool factorise(SymmetricMatrix& coarsest);
 
-    template <class Weight>
-    void cycle(Team& team, const LevelMatrix<Weight>& matrix, Level& level, std::size_t coarser,
+    void cycle(Team& team, const SymmetricMatrix& matrix, Level& level, std::size_t coarser,
                Span<const Real> r, Span<Real> z);
     void correct(Team& team, Level& level, std::size_t coarser, Span<const Real> residual);
     void solveCoarse(Team& team, std::size_t l);
