@@ -22,7 +22,8 @@ void findFreeSurface(const Points<Dim>& points, const PairList<Dim>& pairs,
     parallelFor(points.water, [&](Index i) {
         role[i] = atSurface(i) ? SurfaceRole::surface : SurfaceRole::inner;
     });
-    // The few rows of surface particles name all that are near them; whoever writes writes the same.
+    // The few rows of surface particles name all that are near them; whoever writes writes the
+    // same.
     parallelForDynamic(points.water, [&](Index i) {
         if (!atSurface(i)) return;
         pairs.forWater(i, [&](const auto& pair) {
@@ -36,7 +37,7 @@ void findFreeSurface(const Points<Dim>& points, const PairList<Dim>& pairs,
 
 FlatSurface latticeSurface(const Kernel& kernel, int dimension, Real hOverSpacing)
 {
-    constexpr Real step = 0.1;      // of a spacing: how far a particle is moved to see lambda change
+    constexpr Real step = 0.1;  // of a spacing: how far a particle is moved to see lambda change
     constexpr Real strain = 0.01;   // by which rows are stretched
     const Real reach = kernel.supportRadius() * hOverSpacing / (1 - strain);
     const int m = static_cast<int>(std::ceil(reach)) + 1;
@@ -51,7 +52,8 @@ FlatSurface latticeSurface(const Kernel& kernel, int dimension, Real hOverSpacin
                     const Real r = std::sqrt(sqr(a * along) + sqr(b / along + depth) + c * c);
                     const Real q = r / hOverSpacing;
                     Real w = 0, slope = 0;
-                    kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1), Span<Real>(&slope, 1));
+                    kernel.evaluate(Span<const Real>(&q, 1), Span<Real>(&w, 1),
+                                    Span<Real>(&slope, 1));
                     sum -= slope * sqr(q);
                 }
         return sum * scale;
@@ -69,7 +71,9 @@ void surfacePressure(const FlatSurface& surface, Real spacingOverH, const Points
                      const Vec<Dim>& force, std::vector<Real>& p)
 {
     const auto depthOf = [&](Index i) { return corrections.lambda[i] - surface.lambda; };
-    const auto inwardsOf = [&](Index i) { return -dot(forceGradient[i] + force, unit(corrections.lopsided[i])); };
+    const auto inwardsOf = [&](Index i) {
+        return -dot(forceGradient[i] + force, unit(corrections.lopsided[i]));
+    };
     p.resize(points.fluid);
     parallelForDynamic(points.water, [&](Index i) {
         p[i] = 0;
@@ -89,11 +93,15 @@ void surfacePressure(const FlatSurface& surface, Real spacingOverH, const Points
     });
 }
 
-template void findFreeSurface(const Points<2>&, const PairList<2>&, const Corrections<2>&, std::vector<SurfaceRole>&);
-template void findFreeSurface(const Points<3>&, const PairList<3>&, const Corrections<3>&, std::vector<SurfaceRole>&);
-template void surfacePressure(const FlatSurface&, Real, const Points<2>&, const PairList<2>&, const Corrections<2>&,
-                              const std::vector<SurfaceRole>&, Span<const Vec<2>>, const Vec<2>&, std::vector<Real>&);
-template void surfacePressure(const FlatSurface&, Real, const Points<3>&, const PairList<3>&, const Corrections<3>&,
-                              const std::vector<SurfaceRole>&, Span<const Vec<3>>, const Vec<3>&, std::vector<Real>&);
+template void findFreeSurface(const Points<2>&, const PairList<2>&, const Corrections<2>&,
+                              std::vector<SurfaceRole>&);
+template void findFreeSurface(const Points<3>&, const PairList<3>&, const Corrections<3>&,
+                              std::vector<SurfaceRole>&);
+template void surfacePressure(const FlatSurface&, Real, const Points<2>&, const PairList<2>&,
+                              const Corrections<2>&, const std::vector<SurfaceRole>&,
+                              Span<const Vec<2>>, const Vec<2>&, std::vector<Real>&);
+template void surfacePressure(const FlatSurface&, Real, const Points<3>&, const PairList<3>&,
+                              const Corrections<3>&, const std::vector<SurfaceRole>&,
+                              Span<const Vec<3>>, const Vec<3>&, std::vector<Real>&);
 
 }  // namespace isph

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which particles form the free surface, and their pressure.             [theory (6.1), (6.2), (6.9)]
+// Which particles form the free surface, and their pressure.           [theory (6.1), (6.2), (6.9)]
 #pragma once
 #include "operators/Corrections.hpp"
 
@@ -23,17 +23,19 @@ template <int Dim>
 void findFreeSurface(const Points<Dim>& points, const PairList<Dim>& pairs,
                      const Corrections<Dim>& corrections, std::vector<SurfaceRole>& role);
 
-/// A flat surface of a lattice: lambda of its first row, how much it rises for a particle of that row that is
-/// moved inwards, by a spacing, and how much for all of it where the flow thickens its rows so far that the water
-/// above the centres of the first is a spacing higher.
+/// A flat surface of a lattice: lambda of its first row, how much it rises for a particle of that
+/// row that is moved inwards, by a spacing, and how much for all of it where the flow thickens its
+/// rows so far that the water above the centres of the first is a spacing higher.
 struct FlatSurface {
     Real lambda = 0, rise = 1, thickening = 1;
 };
 
 FlatSurface latticeSurface(const Kernel& kernel, int dimension, Real hOverSpacing);
 
-/// p/rho0 of the surface particles [m2/s2], 0 of the others: that of the water above their centres,         (6.9)
-///   p_i/rho0 = s_i max(0, 1/2 + <b>/lambda_e' + 1/4 (b_i - <b>)/lambda_1') <-(c + g).n>,   b = lambda - lambda_1
+/// p/rho0 of the surface particles [m2/s2], 0 of the others: that of the water above their centres,
+///                                                                                            (6.9)
+///   p_i/rho0 = s_i max(0, 1/2 + <b>/lambda_e' + 1/4 (b_i - <b>)/lambda_1') <-(c + g).n>,   b =
+///   lambda - lambda_1
 /// <> is the mean over the surface particles in the support.
 /// forceGradient: c_i = (grad p)/rho0 - g at the new time, as far as it counts.
 template <int Dim>

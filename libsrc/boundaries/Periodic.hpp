@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Periodic directions: particles wrap around, and images of those near a side stand beyond the other.
+// Periodic directions: particles wrap around, and images of those near a side stand beyond the
+// other.
 #pragma once
 #include "particles/Particles.hpp"
 #include "particles/Points.hpp"
@@ -26,8 +27,8 @@ struct PeriodicBox {
     /// f(shift) for every image of x that stands within `reach` outside the box, x itself excepted.
     template <class F>
     void forImages(const Vec<Dim>& x, Real reach, F&& f) const;
-    /// Throws FatalError unless every periodic length is at least two supports (four smoothing lengths), so that a particle
-    /// and its image are never both neighbours of a third.
+    /// Throws FatalError unless every periodic length is at least two supports (four smoothing
+    /// lengths), so that a particle and its image are never both neighbours of a third.
     void requireLength(Real support) const;
 };
 

@@ -8,7 +8,7 @@
 namespace isph {
 
 namespace {
-constexpr Real kWetFrom = 0.95, kWetTo = 0.65;   // marker to water in local spacings  [theory (6.5)]
+constexpr Real kWetFrom = 0.95, kWetTo = 0.65;  // marker to water in local spacings  [theory (6.5)]
 
 template <int Dim>
 Real root(Real a) { return Dim == 2 ? std::sqrt(a) : std::cbrt(a); }
@@ -34,7 +34,8 @@ WallCloud<Dim>::WallCloud(const Walls<Dim>& walls, const PeriodicBox<Dim>& box, 
 
 template <int Dim>
 void layPoints(const Water<Dim>& water, Span<const Real> porosity, const WallCloud<Dim>& walls,
-               const PeriodicBox<Dim>& box, Real spacing, Real h0, Real support, Points<Dim>& points)
+               const PeriodicBox<Dim>& box, Real spacing, Real h0, Real support,
+               Points<Dim>& points)
 {
     const Index n = static_cast<Index>(water.size());
     const std::size_t all = water.size() + static_cast<std::size_t>(points.images()) + walls.size();
@@ -78,7 +79,8 @@ void dryWalls(const WallCloud<Dim>& walls, Real spacing, Real h0, Points<Dim>& p
     CellGrid<Dim> grid;
     grid.build(Span<const Vec<Dim>>(points.x.data(), fluid), std::max(reach, 2 * spacing));
     parallelFor(walls.size(), [&](Index k) {
-        const Vec<Dim> marker = walls.x[k] + (walls.depth[k] + Real(0.5) * spacing) * walls.normal[k];
+        const Vec<Dim> marker =
+            walls.x[k] + (walls.depth[k] + Real(0.5) * spacing) * walls.normal[k];
         Real distance = kWetFrom;                // in local spacings
         Real nearest = reach * reach, h = h0;   // the nearest water lends its h to the wall
         grid.forEachNear(marker, reach, [&](Index j) {
@@ -94,8 +96,10 @@ void dryWalls(const WallCloud<Dim>& walls, Real spacing, Real h0, Points<Dim>& p
 
 template struct WallCloud<2>;
 template struct WallCloud<3>;
-template void layPoints(const Water<2>&, Span<const Real>, const WallCloud<2>&, const PeriodicBox<2>&, Real, Real, Real, Points<2>&);
-template void layPoints(const Water<3>&, Span<const Real>, const WallCloud<3>&, const PeriodicBox<3>&, Real, Real, Real, Points<3>&);
+template void layPoints(const Water<2>&, Span<const Real>, const WallCloud<2>&,
+                        const PeriodicBox<2>&, Real, Real, Real, Points<2>&);
+template void layPoints(const Water<3>&, Span<const Real>, const WallCloud<3>&,
+                        const PeriodicBox<3>&, Real, Real, Real, Points<3>&);
 template void dryWalls(const WallCloud<2>&, Real, Real, Points<2>&);
 template void dryWalls(const WallCloud<3>&, Real, Real, Points<3>&);
 

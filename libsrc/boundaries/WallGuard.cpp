@@ -10,7 +10,8 @@ namespace isph {
 namespace {
 constexpr Real kLeastHeight = 0.1;   // in d0 above a wall surface
 constexpr Real kReach = 1.5;         // in d0: how far from a foot its plane stands for the wall
-constexpr Real kTurned = 0.7;        // cosine between the normals of two walls of a corner; below its negative the corner is narrow
+/// Cosine between the normals of two walls of a corner; below its negative the corner is narrow.
+constexpr Real kTurned = 0.7;
 }  // namespace
 
 template <int Dim>
@@ -53,13 +54,14 @@ Index WallGuard<Dim>::nearestFoot(const Vec<Dim>& x, auto&& counts) const
     return foot;
 }
 
-/// Two walls with water between them: each lies on the wet side of the other. Those of an edge that stands out into
-/// the water do not.
+/// Two walls with water between them: each lies on the wet side of the other. Those of an edge that
+/// stands out into the water do not.
 template <int Dim>
 bool WallGuard<Dim>::areCorner(Index k, Index l) const
 {
     const Vec<Dim> across = foot_[l] - foot_[k];
-    return dot(normal_[k], normal_[l]) < kTurned && dot(across, normal_[k]) > 0 && dot(across, normal_[l]) < 0;
+    return dot(normal_[k], normal_[l]) < kTurned && dot(across, normal_[k]) > 0 &&
+           dot(across, normal_[l]) < 0;
 }
 
 template <int Dim>
@@ -74,8 +76,8 @@ Vec<Dim> WallGuard<Dim>::wayOut(const Vec<Dim>& x, Index k) const
     return std::max(Real(0), lack(x, k)) * normal_[k];
 }
 
-/// The shortest way that leads out of both walls. Where they are close, as in the tip of a wedge, it would be long, or
-/// there is none: then to the middle between them.
+/// The shortest way that leads out of both walls. Where they are close, as in the tip of a wedge,
+/// it would be long, or there is none: then to the middle between them.
 template <int Dim>
 Vec<Dim> WallGuard<Dim>::wayOut(const Vec<Dim>& x, Index k, Index l) const
 {

@@ -6,8 +6,8 @@
 namespace isph {
 
 /// Keeps water out of walls, whatever the pressure did: a particle lower than a tenth of a spacing
-/// above a wall surface is put back to that height, in a corner above both walls. Flow along walls stays half a spacing away and
-/// never meets the guard; it is there for impacts.                                     [theory (6.6)]
+/// above a wall surface is put back to that height, in a corner above both walls. Flow along walls
+/// stays half a spacing away and never meets the guard; it is there for impacts.     [theory (6.6)]
 template <int Dim>
 class WallGuard {
 public:
@@ -23,7 +23,8 @@ private:
     Vec<Dim> wayOut(const Vec<Dim>& x, Index k, Index l) const;
 
     CellGrid<Dim> grid_;
-    std::vector<Vec<Dim>> foot_, normal_;   ///< points of the wall surface, one of each particle next to it
+    std::vector<Vec<Dim>> foot_,
+        normal_;  ///< points of the wall surface, one of each particle next to it
     Real spacing_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Friction of a smooth wall whose boundary layer is thinner than a particle. [theory (6.10), (6.11)]
+// Friction of a smooth wall whose boundary layer is thinner than a particle.
+//                                                                        [theory (6.10), (6.11)]
 #pragma once
 #include "core/Types.hpp"
 

@@ -59,13 +59,16 @@ Schema boundaryKeys()
 
 Schema wallConditionKeys()
 {
-    return {Key::word("condition", "slip: no friction; noSlip: water at the wall moves with it; wallLaw: friction of a "
-                                   "turbulent boundary layer that is thinner than the spacing, at a smooth wall")
-                .oneOf({"slip", "noSlip", "wallLaw"})
-                .byDefault("slip"),
-            Key::vector("velocity", "of a noSlip or wallLaw wall's surface, along itself [m/s]")
-                .units(dims::velocity)
-                .mayBeAbsent()};
+    return {
+        Key::word(
+            "condition",
+            "slip: no friction; noSlip: water at the wall moves with it; wallLaw: friction of a "
+            "turbulent boundary layer that is thinner than the spacing, at a smooth wall")
+            .oneOf({"slip", "noSlip", "wallLaw"})
+            .byDefault("slip"),
+        Key::vector("velocity", "of a noSlip or wallLaw wall's surface, along itself [m/s]")
+            .units(dims::velocity)
+            .mayBeAbsent()};
 }
 
 Schema gravityKeys()

@@ -36,8 +36,8 @@ struct PeriodicPoints {
     PeriodicPoints(const CaseGeometry& geometry, const std::vector<Point>& points, Real reach);
 };
 
-/// eps(x) = 1 - [sum_k solidVolume_k W(x - x_k)]/[1 - sum_w V_w W(x - x_w)]: soil goes on in walls and
-/// across periodic faces.                                                              [theory (4.10)]
+/// eps(x) = 1 - [sum_k solidVolume_k W(x - x_k)]/[1 - sum_w V_w W(x - x_w)]: soil goes on in walls
+/// and across periodic faces.                                                       [theory (4.10)]
 class SoilField {
 public:
     SoilField(const CaseGeometry& geometry, const SoilParticles& soil, const WallParticles& walls);

@@ -30,7 +30,8 @@ private:
 /// Prints the error as OpenFOAM does to stderr and returns the exit code 1.
 int reportFatal(const std::exception& error);
 
-/// The candidate closest to `word` by edit distance, empty when none is near (more than half differs).
+/// The candidate closest to `word` by edit distance, empty when none is near (more than half
+/// differs).
 std::string nearestName(std::string_view word, const std::vector<std::string>& candidates);
 
 /// OpenFOAM's list form, one per line and sorted: "3\n(\n    a\n    b\n    c\n)\n"

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eight numbers that one instruction handles: arithmetic, comparisons and a ? b : c work on each lane.
+// Eight numbers that one instruction handles: arithmetic, comparisons and a ? b : c work on each
+// lane.
 #pragma once
 #include "core/Types.hpp"
 
 #include <array>
 #include <cstring>
 
-// Processors without registers of this width pass Lanes in memory. No function that a library exports takes
-// or returns them, so that libraries of unequal options go together.
+// Processors without registers of this width pass Lanes in memory. No function that a library
+// exports takes or returns them, so that libraries of unequal options go together.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace isph {
 
 constexpr Index kLanes = 8;
-/// The width of the widest vector registers; compilers split it for processors that have narrower ones,
-/// with the same bits.
+/// The width of the widest vector registers; compilers split it for processors that have narrower
+/// ones, with the same bits.
 using Lanes = Real __attribute__((vector_size(kLanes * sizeof(Real))));
 
 inline Lanes loadLanes(const Real* from)
@@ -83,7 +84,8 @@ inline Lanes firstOrZero(const Lanes& a, Index n)
 }
 
 /// The first n of eight whole numbers, `other` in place of those behind them; they lie in `room`.
-inline const Index* firstOr(const Index* from, Index n, Index other, std::array<Index, kLanes>& room)
+inline const Index* firstOr(const Index* from, Index n, Index other,
+                            std::array<Index, kLanes>& room)
 {
     using Whole = Index __attribute__((vector_size(kLanes * sizeof(Index))));
     const Whole lane{0, 1, 2, 3, 4, 5, 6, 7};
@@ -111,7 +113,8 @@ inline Real sumOf(const Lanes& a)
     for (int r = 0; r < 2; ++r)             // quarters
         for (int h = 0; h < kLanes; h += 4) {
             a[h + r] = __builtin_shufflevector(b[h + r], b[h + r + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-            a[h + r + 2] = __builtin_shufflevector(b[h + r], b[h + r + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+            a[h + r + 2] =
+                __builtin_shufflevector(b[h + r], b[h + r + 2], 2, 3, 10, 11, 6, 7, 14, 15);
         }
     for (int r = 0; r < 4; ++r) {           // halves
         b[r] = __builtin_shufflevector(a[r], a[r + 4], 0, 1, 2, 3, 8, 9, 10, 11);

@@ -13,8 +13,8 @@ namespace isph {
 
 namespace {
 constexpr std::size_t kPage = 4096;
-/// What is smaller the standard allocator keeps well itself. A higher limit would keep the memory of some arrays of a
-/// step here and that of others there.
+/// What is smaller the standard allocator keeps well itself. A higher limit would keep the memory
+/// of some arrays of a step here and that of others there.
 constexpr std::size_t kLeast = std::size_t{1} << 20;
 
 /// A range of addresses that is cut into arrays. Pages that have been touched stay with it.
@@ -27,7 +27,8 @@ public:
         const std::size_t size = 2 * pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
         constexpr int fresh = MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE;
         void* memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, fresh, -1, 0);
-        if (memory == MAP_FAILED) return;   // addresses are limited: the standard allocator has to do
+        if (memory == MAP_FAILED)
+            return;  // addresses are limited: the standard allocator has to do
         begin_ = top_ = static_cast<char*>(memory);
         end_ = begin_ + size;
         madvise(begin_, size, MADV_HUGEPAGE);

@@ -44,7 +44,8 @@ T orderedReduce(std::size_t n, T start, Term&& term, Combine&& combine)
     for (std::ptrdiff_t b = 0; b < last; ++b) {
         T sum = start;
         const std::size_t end = std::min(n, (b + 1) * kSumBlock);
-        for (std::size_t i = b * kSumBlock; i < end; ++i) sum = combine(sum, term(static_cast<Index>(i)));
+        for (std::size_t i = b * kSumBlock; i < end; ++i)
+            sum = combine(sum, term(static_cast<Index>(i)));
         part[b] = sum;
     }
     T total = start;

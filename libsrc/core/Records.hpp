@@ -17,7 +17,8 @@ public:
 
     Real* operator[](Index i) const { return first_ + static_cast<std::ptrdiff_t>(Size) * i; }
 
-    /// The first numbers of eight particles: eight loads and a transposition in registers for every eight.
+    /// The first numbers of eight particles: eight loads and a transposition in registers for every
+    /// eight.
     template <int Numbers = Size>
     [[gnu::always_inline]] std::array<Lanes, Numbers> gather(const Index* particle) const
     {
@@ -42,7 +43,8 @@ private:
     Real* first_;
 };
 
-/// Memory of records, used again by one pass over the pairs after the other. It is not filled before its use.
+/// Memory of records, used again by one pass over the pairs after the other. It is not filled
+/// before its use.
 class RecordStore {
 public:
     /// Room for n records, whose numbers are whatever stood there.

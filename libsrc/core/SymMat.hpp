@@ -19,7 +19,8 @@ struct SymMat {
     constexpr Vec<Dim> operator[](int r) const
     {
         Vec<Dim> v;
-        for (int k = 0; k < Dim; ++k) v[k] = half[r >= k ? r * (r + 1) / 2 + k : k * (k + 1) / 2 + r];
+        for (int k = 0; k < Dim; ++k)
+            v[k] = half[r >= k ? r * (r + 1) / 2 + k : k * (k + 1) / 2 + r];
         return v;
     }
     constexpr operator Mat<Dim>() const
@@ -28,9 +29,18 @@ struct SymMat {
         for (int r = 0; r < Dim; ++r) m[r] = (*this)[r];
         return m;
     }
-    friend constexpr Vec<Dim> operator*(const SymMat& m, const Vec<Dim>& v) { return Mat<Dim>(m) * v; }
-    friend constexpr Mat<Dim> operator*(const SymMat& m, const Mat<Dim>& b) { return Mat<Dim>(m) * b; }
-    friend constexpr Mat<Dim> operator*(const Mat<Dim>& b, const SymMat& m) { return b * Mat<Dim>(m); }
+    friend constexpr Vec<Dim> operator*(const SymMat& m, const Vec<Dim>& v)
+    {
+        return Mat<Dim>(m) * v;
+    }
+    friend constexpr Mat<Dim> operator*(const SymMat& m, const Mat<Dim>& b)
+    {
+        return Mat<Dim>(m) * b;
+    }
+    friend constexpr Mat<Dim> operator*(const Mat<Dim>& b, const SymMat& m)
+    {
+        return b * Mat<Dim>(m);
+    }
 };
 
 }  // namespace isph

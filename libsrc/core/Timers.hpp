@@ -16,7 +16,10 @@ public:
     /// Adds the time from construction to destruction to a part.
     class Scope {
     public:
-        Scope(Timers& timers, std::string_view part) : timers_(timers), part_(timers.slot(part)), start_(wallSeconds()) {}
+        Scope(Timers& timers, std::string_view part)
+            : timers_(timers), part_(timers.slot(part)), start_(wallSeconds())
+        {
+        }
         ~Scope() { timers_.parts_[part_].seconds += wallSeconds() - start_; }
         Scope(const Scope&) = delete;
         Scope& operator=(const Scope&) = delete;

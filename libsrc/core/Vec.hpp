@@ -15,8 +15,16 @@ struct Vec {
     constexpr Real& operator[](int d) { return c[d]; }
     constexpr Real operator[](int d) const { return c[d]; }
 
-    constexpr Vec& operator+=(const Vec& b) { for (int d = 0; d < Dim; ++d) c[d] += b.c[d]; return *this; }
-    constexpr Vec& operator-=(const Vec& b) { for (int d = 0; d < Dim; ++d) c[d] -= b.c[d]; return *this; }
+    constexpr Vec& operator+=(const Vec& b)
+    {
+        for (int d = 0; d < Dim; ++d) c[d] += b.c[d];
+        return *this;
+    }
+    constexpr Vec& operator-=(const Vec& b)
+    {
+        for (int d = 0; d < Dim; ++d) c[d] -= b.c[d];
+        return *this;
+    }
     constexpr Vec& operator*=(Real s) { for (int d = 0; d < Dim; ++d) c[d] *= s; return *this; }
 
     friend constexpr Vec operator+(Vec a, const Vec& b) { return a += b; }
@@ -72,7 +80,11 @@ struct Mat {
         for (int d = 0; d < Dim; ++d) m[d][d] = 1;
         return m;
     }
-    constexpr Mat& operator+=(const Mat& b) { for (int d = 0; d < Dim; ++d) row[d] += b.row[d]; return *this; }
+    constexpr Mat& operator+=(const Mat& b)
+    {
+        for (int d = 0; d < Dim; ++d) row[d] += b.row[d];
+        return *this;
+    }
     constexpr Mat& operator*=(Real s) { for (int d = 0; d < Dim; ++d) row[d] *= s; return *this; }
     friend constexpr Mat operator+(Mat a, const Mat& b) { return a += b; }
     friend constexpr Mat operator*(Mat a, Real s) { return a *= s; }
@@ -155,9 +167,11 @@ inline Real smallestEigenvalue(const Mat<2>& m)
 }
 inline Real smallestEigenvalue(const Mat<3>& m)
 {
-    const Real a01 = 0.5 * (m[0][1] + m[1][0]), a02 = 0.5 * (m[0][2] + m[2][0]), a12 = 0.5 * (m[1][2] + m[2][1]);
+    const Real a01 = 0.5 * (m[0][1] + m[1][0]), a02 = 0.5 * (m[0][2] + m[2][0]),
+               a12 = 0.5 * (m[1][2] + m[2][1]);
     const Real q = trace(m) / 3;
-    const Real p2 = sqr(m[0][0] - q) + sqr(m[1][1] - q) + sqr(m[2][2] - q) + 2 * (sqr(a01) + sqr(a02) + sqr(a12));
+    const Real p2 = sqr(m[0][0] - q) + sqr(m[1][1] - q) + sqr(m[2][2] - q) +
+                    2 * (sqr(a01) + sqr(a02) + sqr(a12));
     if (p2 < 1e-300) return q;
     const Real p = std::sqrt(p2 / 6);
     Mat<3> b;

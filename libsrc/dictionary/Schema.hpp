@@ -29,7 +29,12 @@ struct Key {
 
     // Builders, so that a declaration reads as a sentence: scalar("D50", "...").units(...).above(0)
     Key& units(const Dimensions& d) { dimensions = d; return *this; }
-    Key& byDefault(std::string value) { preset = std::move(value); presence = KeyPresence::optional; return *this; }
+    Key& byDefault(std::string value)
+    {
+        preset = std::move(value);
+        presence = KeyPresence::optional;
+        return *this;
+    }
     Key& mayBeAbsent() { presence = KeyPresence::optional; return *this; }
     Key& atLeast(double v) { least = v; return *this; }
     Key& atMost(double v) { most = v; return *this; }
@@ -37,14 +42,38 @@ struct Key {
     Key& below(double v) { most = v; openMost = true; return *this; }
     Key& oneOf(std::vector<std::string> words) { allowed = std::move(words); return *this; }
 
-    static Key scalar(std::string name, std::string description) { return {std::move(name), KeyType::scalar, std::move(description)}; }
-    static Key integer(std::string name, std::string description) { return {std::move(name), KeyType::integer, std::move(description)}; }
-    static Key word(std::string name, std::string description) { return {std::move(name), KeyType::word, std::move(description)}; }
-    static Key text(std::string name, std::string description) { return {std::move(name), KeyType::text, std::move(description)}; }
-    static Key logical(std::string name, std::string description) { return {std::move(name), KeyType::logical, std::move(description)}; }
-    static Key vector(std::string name, std::string description) { return {std::move(name), KeyType::vector, std::move(description)}; }
-    static Key list(std::string name, std::string description) { return {std::move(name), KeyType::list, std::move(description)}; }
-    static Key dictionary(std::string name, std::string description) { return {std::move(name), KeyType::dictionary, std::move(description)}; }
+    static Key scalar(std::string name, std::string description)
+    {
+        return {std::move(name), KeyType::scalar, std::move(description)};
+    }
+    static Key integer(std::string name, std::string description)
+    {
+        return {std::move(name), KeyType::integer, std::move(description)};
+    }
+    static Key word(std::string name, std::string description)
+    {
+        return {std::move(name), KeyType::word, std::move(description)};
+    }
+    static Key text(std::string name, std::string description)
+    {
+        return {std::move(name), KeyType::text, std::move(description)};
+    }
+    static Key logical(std::string name, std::string description)
+    {
+        return {std::move(name), KeyType::logical, std::move(description)};
+    }
+    static Key vector(std::string name, std::string description)
+    {
+        return {std::move(name), KeyType::vector, std::move(description)};
+    }
+    static Key list(std::string name, std::string description)
+    {
+        return {std::move(name), KeyType::list, std::move(description)};
+    }
+    static Key dictionary(std::string name, std::string description)
+    {
+        return {std::move(name), KeyType::dictionary, std::move(description)};
+    }
 };
 
 class Schema {
@@ -57,8 +86,8 @@ public:
     /// Keys not declared are accepted (dictionaries whose keywords are the user's names).
     Schema& open() { open_ = true; return *this; }
 
-    /// Throws FatalIOError at the first unknown key (with the nearest valid one), missing key, wrong
-    /// type, wrong dimensions, value out of range or word that is not allowed.
+    /// Throws FatalIOError at the first unknown key (with the nearest valid one), missing key,
+    /// wrong type, wrong dimensions, value out of range or word that is not allowed.
     void check(const Dictionary& dict) const;
 
     /// The value of a declared key, or its default. T as for Dictionary::get.
@@ -79,8 +108,10 @@ T Schema::get(const Dictionary& dict, const std::string& key) const
 {
     const Key& declared = find(key);
     if (dict.found(key)) return dict.get<T>(key, declared.dimensions);
-    if (declared.preset.empty()) dict.fail(key, "keyword " + key + " is undefined in dictionary \"" + dict.name() + "\"");
-    return Dictionary::parse(key + " " + declared.preset + ";", "default of " + key).get<T>(key, declared.dimensions);
+    if (declared.preset.empty())
+        dict.fail(key, "keyword " + key + " is undefined in dictionary \"" + dict.name() + "\"");
+    return Dictionary::parse(key + " " + declared.preset + ";", "default of " + key)
+        .get<T>(key, declared.dimensions);
 }
 
 }  // namespace isph

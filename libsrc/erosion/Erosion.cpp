@@ -7,12 +7,14 @@
 namespace isph {
 
 namespace {
-constexpr Real kSurfaceShare = 0.85;  // phi at a bed particle: 0.77 in the top row, 0.99 in the next
+constexpr Real kSurfaceShare =
+    0.85;                   // phi at a bed particle: 0.77 in the top row, 0.99 in the next
 constexpr Real kSight = 2;  // in d0: how far a grain sees water
 constexpr Real kClearPorosity = 0.7;  // water with fewer grains around it is that of the flow
 constexpr Real kLeastWater = 0.3;     // volume of it in d0^D for a bed particle to be wet
 constexpr Real kRepulsion = 15;       // of grains denser than intact soil, in d0 w_s grad C
-constexpr Real kPacked = 0.6;  // of intact soil, the particle itself not counted (it has 0.30 in 2-D)
+// Of intact soil, the particle itself not counted (it has 0.30 in 2-D)
+constexpr Real kPacked = 0.6;
 
 /// Volume mean of the velocity of water of at least that porosity within reach of x, and its
 /// volume.

@@ -85,8 +85,8 @@ public:
     const KernelCloud& walls() const { return walls_; }
 
     Shares shares(const Vec<3>& x) const;
-    /// The water that tells values at x: that of its own soil zone, where there is enough of it. At the
-    /// face of soil fields have kinks, and a mean over both sides is off by their jump.
+    /// The water that tells values at x: that of its own soil zone, where there is enough of it. At
+    /// the face of soil fields have kinks, and a mean over both sides is off by their jump.
     void gatherOneSide(const Vec<3>& x, KernelSamples& samples) const;
 
 private:

@@ -9,15 +9,23 @@
 namespace isph {
 
 namespace {
-constexpr Real kEven = 0.25, kUneven = 0.4;   // |T_i| h_i of a second row, and of a particle between it and the first
+// |T_i| h_i of a second row, and of a particle between it and the first.
+constexpr Real kEven = 0.25, kUneven = 0.4;
 constexpr Real kMostFitted = 0.25;       // spacings of water: what weighs more is an impact's
-constexpr Real kLeastRest = 0.2;         // of the partners' weight: if less is left they fit any gradient
-constexpr Real kLeastConducted = 0.25;   // of what a particle far from faces conducts: half at a flat face
+constexpr Real kLeastRest = 0.2;  // of the partners' weight: if less is left they fit any gradient
+// Of what a particle far from faces conducts: half at a flat face.
+constexpr Real kLeastConducted = 0.25;
 
 /// What a pair asks of its partner.
 template <int Dim>
 struct Partner {
-    enum Place : int { x = 0, w = Dim, volume = 2 * Dim, p, size = 8 };   ///< w of the predictor, p over rho
+    enum Place : int {
+        x = 0,
+        w = Dim,
+        volume = 2 * Dim,
+        p,
+        size = 8
+    };  ///< w of the predictor, p over rho
 };
 
 /// Sums over the water partners of a particle, those of every lane apart.
@@ -28,7 +36,8 @@ struct HeadSum {
     Index i;
     const Real* own;
     Vec<Dim> force;
-    std::array<Lanes, Dim> gradient{}, flux{};   ///< of p/rho - g.x, and of the velocity change (soil alone)
+    std::array<Lanes, Dim> gradient{},
+        flux{};  ///< of p/rho - g.x, and of the velocity change (soil alone)
     OuterSum<Dim> conducted{};                   ///< sum V beta_ij gradW x_ij (soil alone)
 
     void add(const PairLanes& pairs, const std::array<Lanes, P::size>& of)
@@ -57,26 +66,28 @@ struct HeadSum {
     }
 
 private:
-    /// What drag takes from the predictor on the way to a partner, (s_i - s_ij)/2 (w_i + w_j).x_ij, through a face
-    /// where there is one.
-    Lanes held(const Index* j, const std::array<Lanes, Dim>& x, const std::array<Lanes, P::size>& of) const
+    /// What drag takes from the predictor on the way to a partner, (s_i - s_ij)/2 (w_i + w_j).x_ij,
+    /// through a face where there is one.
+    Lanes held(const Index* j, const std::array<Lanes, Dim>& x,
+               const std::array<Lanes, P::size>& of) const
     {
         Lanes held{};
         for (int l = 0; l < kLanes; ++l) {
             const Vec<Dim> x_ij = lane(x, l);
             Vec<Dim> w;
             for (int d = 0; d < Dim; ++d) w[d] = own[P::w + d] + of[P::w + d][l];
-            held[l] = Real(0.5) * (medium.damping(i) - medium.damping(i, j[l], x_ij)) * medium.damped(i, j[l], w, x_ij);
+            held[l] = Real(0.5) * (medium.damping(i) - medium.damping(i, j[l], x_ij)) *
+                      medium.damped(i, j[l], w, x_ij);
         }
         return held;
     }
 };
 
-/// The part of the flux along a face: the pairs through it conduct like the two media in series, but side by side
-/// with its own a particle feels the whole gradient.                                              [theory (3.11)]
+/// The part of the flux along a face: the pairs through it conduct like the two media in series,
+/// but side by side with its own a particle feels the whole gradient.               [theory (3.11)]
 template <int Dim>
-Vec<Dim> wholeAlong(const WaterInSoil<Dim>& medium, Index i, const Mat<Dim>& conducted, const Mat<Dim>& seen,
-                    const Vec<Dim>& flux)
+Vec<Dim> wholeAlong(const WaterInSoil<Dim>& medium, Index i, const Mat<Dim>& conducted,
+                    const Mat<Dim>& seen, const Vec<Dim>& flux)
 {
     if (!medium.atFace(i)) return flux;
     const Vec<Dim> n = medium.normal(i, i);
@@ -86,8 +97,8 @@ Vec<Dim> wholeAlong(const WaterInSoil<Dim>& medium, Index i, const Mat<Dim>& con
     return through + (1 / std::max(kLeastConducted, share)) * (flux - through);
 }
 
-/// How much of its own pressure a particle near the surface leaves out. Not beside soil, where the pressure bends at
-/// faces.                                                                                            [theory (3.14)]
+/// How much of its own pressure a particle near the surface leaves out. Not beside soil, where the
+/// pressure bends at faces.                                                         [theory (3.14)]
 template <int Dim, class Medium>
 Real leftOut(const StepFields<Dim>& fields, const Medium& medium, Index i)
 {
@@ -98,9 +109,11 @@ Real leftOut(const StepFields<Dim>& fields, const Medium& medium, Index i)
     return std::clamp((lopsided - kEven) / (kUneven - kEven), Real(0), Real(1));
 }
 
-/// p/rho at a particle of the linear field that fits its partners, mean and gradient.                   [theory (3.14)]
+/// p/rho at a particle of the linear field that fits its partners, mean and gradient.
+///                                                                                  [theory (3.14)]
 template <int Dim>
-Real fittedPressure(const StepFields<Dim>& fields, const Records<Partner<Dim>::size>& partners, const Vec<Dim>& g, Index i)
+Real fittedPressure(const StepFields<Dim>& fields, const Records<Partner<Dim>::size>& partners,
+                    const Vec<Dim>& g, Index i)
 {
     using P = Partner<Dim>;
     const Real p_i = partners[i][P::p];
@@ -120,7 +133,8 @@ Real fittedPressure(const StepFields<Dim>& fields, const Records<Partner<Dim>::s
 }  // namespace
 
 template <int Dim, class Medium>
-void correct(const Medium& medium, const Scheme<Dim>& scheme, StepFields<Dim>& fields, Water<Dim>& water)
+void correct(const Medium& medium, const Scheme<Dim>& scheme, StepFields<Dim>& fields,
+             Water<Dim>& water)
 {
     using P = Partner<Dim>;
     const Points<Dim>& points = fields.points;
@@ -136,17 +150,20 @@ void correct(const Medium& medium, const Scheme<Dim>& scheme, StepFields<Dim>& f
         std::copy_n(partners[i], P::size, own.begin());
         if (const Real share = leftOut(fields, medium, i); share > 0) {
             const Real most = kMostFitted * scheme.spacing * std::max(scheme.strongest, norm(g));
-            own[P::p] += share * std::clamp(fittedPressure(fields, partners, g, i) - own[P::p], -most, most);
+            own[P::p] +=
+                share * std::clamp(fittedPressure(fields, partners, g, i) - own[P::p], -most, most);
         }
         HeadSum<Dim, Medium> sum{medium, i, own.data(), g};
-        fields.pairs.forWaterLanes(i, [&](const PairLanes& pairs) { sum.add(pairs, partners.gather(pairs.j)); });
+        fields.pairs.forWaterLanes(
+            i, [&](const PairLanes& pairs) { sum.add(pairs, partners.gather(pairs.j)); });
         const Vec<Dim> gradient = sumOf(sum.gradient);
         const Real s_i = medium.damping(i);
         const Vec<Dim> w_i = fields.v[i];
         const Mat<Dim> L = fields.corrections.Lwater(i);
         Vec<Dim> flux = medium.beta(i) * (L * gradient);
-        if constexpr (Medium::hasSoil) flux = wholeAlong(medium, i, L * sum.conducted.total(), Mat<Dim>(fields.corrections.seen(i)),
-                                                         L * sumOf(sum.flux));
+        if constexpr (Medium::hasSoil)
+            flux = wholeAlong(medium, i, L * sum.conducted.total(),
+                              Mat<Dim>(fields.corrections.seen(i)), L * sumOf(sum.flux));
         const Vec<Dim> unseen = g - fields.corrections.seen(i) * g;
         const Vec<Dim> v = s_i * w_i - flux + medium.beta(i) * unseen;
         water.forceGradient[i] = (1 / medium.beta(i)) * flux - unseen;

@@ -42,16 +42,19 @@ StepReport DragImplicitStep<Dim>::advance(Real dt, Real dtOld)
     if (scene_.porous) {
         drag();
         if (weights.ratio > 0)
-            crossFaces(*scene_.porous, scene_.box, scene_.scheme.spacing, weights, fields_, scene_.water);
+            crossFaces(*scene_.porous, scene_.box, scene_.scheme.spacing, weights, fields_,
+                       scene_.water);
         carryThroughFaces(scene_.water, weights, fields_);
-        project(WaterInSoil<Dim>{weights.dtPrime(), fields_.soil, fields_.resistance, scene_.scheme.spacing, fields_.face.v,
-                                 fields_.face.carriesDarcy}, weights, report);
+        project(WaterInSoil<Dim>{weights.dtPrime(), fields_.soil, fields_.resistance,
+                                 scene_.scheme.spacing, fields_.face.v, fields_.face.carriesDarcy},
+                weights, report);
         keepPorosity();
     } else {
         project(ClearWater<Dim>{weights.dtPrime()}, weights, report);
     }
     const auto timer = timers_.scope("collisions and shifting");
-    collide<Dim>(scene_.scheme, fields_, scene_.wallCloud.normal, scene_.wallCloud.depth, scene_.water);
+    collide<Dim>(scene_.scheme, fields_, scene_.wallCloud.normal, scene_.wallCloud.depth,
+                 scene_.water);
     report.continuity = shift(*scene_.kernel, scene_.scheme, dt, fields_, scene_.water);
     return report;
 }
@@ -81,7 +84,8 @@ void DragImplicitStep<Dim>::move(const StepWeights& weights, StepReport& report)
     const auto timer = timers_.scope("move");
     Water<Dim>& water = scene_.water;
     parallelFor(water.size(), [&](Index i) {
-        water.x[i] += weights.dt * (water.u[i] + Real(0.5) * weights.ratio * (water.u[i] - water.uOld[i]));
+        water.x[i] +=
+            weights.dt * (water.u[i] + Real(0.5) * weights.ratio * (water.u[i] - water.uOld[i]));
     });
     report.putBack = this->guard_.keepOut(water.x);
     if (scene_.box.any())
@@ -97,19 +101,22 @@ void DragImplicitStep<Dim>::drag()
     auto& soil = fields_.soil;
     fields_.resistance.resize(points.fluid);
     parallelFor(points.water, [&](Index i) {
-        fields_.resistance[i] = soil.linear[i] + soil.quadratic[i] * water.porosity[i] * norm(water.u[i]);
+        fields_.resistance[i] =
+            soil.linear[i] + soil.quadratic[i] * water.porosity[i] * norm(water.u[i]);
     });
     points.refresh(fields_.resistance);
 }
 
 template <int Dim>
 template <class Medium>
-void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& weights, StepReport& report)
+void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& weights,
+                                    StepReport& report)
 {
     {
         const auto timer = timers_.scope("predictor");
         predict(scene_.water, scene_.wallCloud, medium, scene_.scheme, weights, fields_);
-        if constexpr (Medium::hasSoil) filterAtFaces(scene_.water, medium, scene_.scheme, weights, fields_);
+        if constexpr (Medium::hasSoil)
+            filterAtFaces(scene_.water, medium, scene_.scheme, weights, fields_);
     }
     densitySource(medium, report);
     // The surface rows use the force gradient of the step before; a first step has to find it.
@@ -119,20 +126,23 @@ void DragImplicitStep<Dim>::project(const Medium& medium, const StepWeights& wei
     for (int k = 0; k < repeats; ++k) {
         if (k > 0) scene_.water.u = u, scene_.water.uOld = uOld;
         expectForce(weights.ratio);
-        surfacePressure<Dim>(flat_, scene_.scheme.spacing / scene_.scheme.h0, fields_.points, fields_.pairs,
-                             fields_.corrections, fields_.role, scene_.water.forceGradient, scene_.scheme.force,
-                             fields_.p);
-        const PressureSource<Dim> source{fields_.v, scene_.water.forceGradient, divergence_, scene_.scheme.force,
-                                         fields_.p, scene_.scheme.strongest};
+        surfacePressure<Dim>(flat_, scene_.scheme.spacing / scene_.scheme.h0, fields_.points,
+                             fields_.pairs, fields_.corrections, fields_.role,
+                             scene_.water.forceGradient, scene_.scheme.force, fields_.p);
+        const PressureSource<Dim> source{fields_.v,   scene_.water.forceGradient,
+                                         divergence_, scene_.scheme.force,
+                                         fields_.p,   scene_.scheme.strongest};
         pressure_.solve(scene_, medium, source, {}, timers_, fields_, report);
         const auto timer = timers_.scope("corrector");
         correct(medium, scene_.scheme, fields_, scene_.water);
     }
-    if (weights.ratio == 0) scene_.water.forceGradientOld = scene_.water.forceGradient;   // no force before
+    if (weights.ratio == 0)
+        scene_.water.forceGradientOld = scene_.water.forceGradient;  // no force before
 }
 
-/// c_i becomes what it will be at the new time, near the surface no more than the strongest force of the case; the
-/// corrector sets it anew. The force of the last step enters the mean of the past ones.                    (5.4)
+/// c_i becomes what it will be at the new time, near the surface no more than the strongest force
+/// of the case; the corrector sets it anew. The force of the last step enters the mean of the past
+/// ones.                                                                                      (5.4)
 template <int Dim>
 void DragImplicitStep<Dim>::expectForce(Real ratio)
 {
@@ -170,12 +180,14 @@ void DragImplicitStep<Dim>::densitySource(const auto& medium, StepReport& report
         const Real surplus = surplusOf[i];
         const bool pullsInSoil = medium.porosity(i) < kSoilPorosity && lambda > kLeastSupport
                               && role != SurfaceRole::surface;
-        const bool acts = surplus > 0 || pullsInSoil || role == SurfaceRole::inner || lambda > kFullSupport;
+        const bool acts =
+            surplus > 0 || pullsInSoil || role == SurfaceRole::inner || lambda > kFullSupport;
         const Real wanted = acts ? medium.porosity(i) * sqr(medium.damping(i)) * rate * surplus : 0;
         divergence_[i] = wanted - solidsDivergence(fields_, i);
         error[i] = role == SurfaceRole::inner ? sqr(surplus) : 0;
     });
-    report.densityError = std::sqrt(orderedSum(n, [&](Index i) { return error[i]; }) / std::max<Index>(1, n));
+    report.densityError =
+        std::sqrt(orderedSum(n, [&](Index i) { return error[i]; }) / std::max<Index>(1, n));
 }
 
 template class DragImplicitStep<2>;

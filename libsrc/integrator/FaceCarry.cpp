@@ -9,7 +9,8 @@ void carryThroughFaces(const Water<Dim>& water, const StepWeights& weights, Step
     const Points<Dim>& points = fields.points;
     const PorousState<Dim>& soil = fields.soil;
     FaceFields<Dim>& face = fields.face;
-    fields.v.resize(points.fluid), face.v.resize(points.fluid), face.carriesDarcy.resize(points.fluid);
+    fields.v.resize(points.fluid), face.v.resize(points.fluid),
+        face.carriesDarcy.resize(points.fluid);
     parallelFor(points.water, [&](Index i) {
         const bool rigid = soil.solidsFlux.empty() || normSqr(soil.solidsFlux[i]) == 0;
         face.carriesDarcy[i] = rigid && fields.role[i] != SurfaceRole::surface;

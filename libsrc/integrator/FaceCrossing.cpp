@@ -17,7 +17,8 @@ void crossFaces(const PorousField<Dim>& field, const PeriodicBox<Dim>& box, Real
         const Index before = field.zoneAt(box.wrap(water.x[i] - moved));
         if (before == soil.zone[i]) return;
         const Vec<Dim> v = water.porosity[i] * u, n = unit(soil.normal[i]);
-        const Resistance law = before == kClearWater ? Resistance{} : field.zones()[before].resistance;
+        const Resistance law =
+            before == kClearWater ? Resistance{} : field.zones()[before].resistance;
         const Real r = law.linear + law.quadratic * norm(v);
         water.forceGradient[i] += ((r - fields.resistance[i]) * dot(v, n)) * n;
     });

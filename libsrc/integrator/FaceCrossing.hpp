@@ -7,7 +7,8 @@ namespace isph {
 
 /// The force c of the last step as a particle feels it that has crossed a face of soil since:
 ///   c += (r_before - r_now) (v.n) n                                               [theory (5.13)]
-/// for inner particles. What accelerates the water, c + r v, is continuous through a face; drag jumps.
+/// for inner particles. What accelerates the water, c + r v, is continuous through a face; drag
+/// jumps.
 /// in      x of the new time, u and porosities of the last step; soil, roles and resistance now
 /// in out  water.forceGradient
 template <int Dim>

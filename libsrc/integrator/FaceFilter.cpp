@@ -10,7 +10,8 @@ namespace isph {
 
 namespace {
 constexpr Real kShare = 0.004;         // of h0^2 that the noise spreads over in a step
-constexpr Real kPassing = 0.05;        // Courant number of water that is past the face before noise has grown
+// Courant number of water that is past the face before noise has grown
+constexpr Real kPassing = 0.05;
 
 template <int Dim>
 class Filter {
@@ -38,10 +39,13 @@ public:
         const auto& lambda = fields_.corrections.lambda;
         fields_.pairs.forWater(i, [&](const auto& pair) {
             const Index j = pair.j;
-            const Real nu = medium_.zone(j) == medium_.zone(i) ? std::min(at_.viscosity[i], at_.viscosity[j]) : 0;
+            const Real nu = medium_.zone(j) == medium_.zone(i)
+                                ? std::min(at_.viscosity[i], at_.viscosity[j])
+                                : 0;
             if (nu == 0) return;
             const Index owner = fields_.points.owner[j];
-            const Real weight = fields_.points.volume[j] * pair.F() * supportFactor<Dim>(lambda[i], lambda[owner]);
+            const Real weight =
+                fields_.points.volume[j] * pair.F() * supportFactor<Dim>(lambda[i], lambda[owner]);
             const Vec<Dim> smooth = Real(0.5) * ((at_.gradient[i] + at_.gradient[j]) * pair.x_ij);
             rate -= weight * nu * (at_.v[i] - at_.v[j] - smooth);
         });
@@ -53,12 +57,14 @@ private:
     {
         if (fields_.role[i] != SurfaceRole::inner) return false;
         bool beside = false;
-        fields_.pairs.forWater(i, [&](const auto& pair) { beside |= medium_.zone(pair.j) != medium_.zone(i); });
+        fields_.pairs.forWater(
+            i, [&](const auto& pair) { beside |= medium_.zone(pair.j) != medium_.zone(i); });
         return beside;
     }
     Real viscosity(Real speed, Real porosity) const
     {
-        const Real Co = weights_.dt * speed * std::pow(porosity, Real(1) / Dim) / scheme_.spacing;   // (3.8)
+        // (3.8)
+        const Real Co = weights_.dt * speed * std::pow(porosity, Real(1) / Dim) / scheme_.spacing;
         return kShare * std::max(Real(0), 1 - Co / kPassing) * sqr(scheme_.h0) / weights_.dtPrime();
     }
     /// grad v of the partners in the zone of i alone: across the face it has a jump.
@@ -83,8 +89,8 @@ private:
 }  // namespace
 
 template <int Dim>
-void filterAtFaces(const Water<Dim>& water, const WaterInSoil<Dim>& medium, const Scheme<Dim>& scheme,
-                   const StepWeights& weights, StepFields<Dim>& fields)
+void filterAtFaces(const Water<Dim>& water, const WaterInSoil<Dim>& medium,
+                   const Scheme<Dim>& scheme, const StepWeights& weights, StepFields<Dim>& fields)
 {
     const Filter<Dim> filter(water, medium, scheme, weights, fields, fields.face);
     parallelForDynamic(fields.points.water, [&](Index i) {
@@ -93,7 +99,9 @@ void filterAtFaces(const Water<Dim>& water, const WaterInSoil<Dim>& medium, cons
     fields.points.refresh(fields.v);
 }
 
-template void filterAtFaces(const Water<2>&, const WaterInSoil<2>&, const Scheme<2>&, const StepWeights&, StepFields<2>&);
-template void filterAtFaces(const Water<3>&, const WaterInSoil<3>&, const Scheme<3>&, const StepWeights&, StepFields<3>&);
+template void filterAtFaces(const Water<2>&, const WaterInSoil<2>&, const Scheme<2>&,
+                            const StepWeights&, StepFields<2>&);
+template void filterAtFaces(const Water<3>&, const WaterInSoil<3>&, const Scheme<3>&,
+                            const StepWeights&, StepFields<3>&);
 
 }  // namespace isph

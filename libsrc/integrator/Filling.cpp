@@ -4,7 +4,8 @@
 namespace isph {
 
 namespace {
-/// Of the disorder that n and lambda show, what is in n alone: packings that water has flowed into, 0.29 to 0.36.
+/// Of the disorder that n and lambda show, what is in n alone: 0.29 to 0.36 in packings that water
+/// has flowed into.
 constexpr Real kShare = 1.0 / 3;
 
 /// Water in soil and beside it, and what it sees of the packing around it.

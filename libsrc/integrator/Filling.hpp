@@ -16,7 +16,7 @@ struct LatticeSums {
 /// Means are weighted by V_j W_ij. The first is taken over inner particles in soil and beside it;
 /// elsewhere zeta = 1. The second is taken deep in soil alone, where packings are disordered and
 /// nothing is cut.
-/// in    ownShare zeta, of what the particle sees itself                              [theory (5.12)]
+/// in    ownShare zeta, of what the particle sees itself                            [theory (5.12)]
 /// out   surplus of water, overwritten
 template <int Dim, class Medium>
 void fillingSurplus(const StepFields<Dim>& fields, const Medium& medium,

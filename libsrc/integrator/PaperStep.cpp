@@ -28,7 +28,8 @@ StepReport PaperStep<Dim>::advance(Real dt, Real)
     std::fill(fields_.corrections.L.begin(), fields_.corrections.L.end(), Mat<Dim>::identity());
     const std::vector<Vec<Dim>> nothing(scene_.water.size());
     const PressureSource<Dim> source{fields_.v, nothing, divergence_, Vec<Dim>{}};
-    pressure_.solve(scene_, ClearWater<Dim>{dt}, source, inverseMobility_, timers_, fields_, report);
+    pressure_.solve(scene_, ClearWater<Dim>{dt}, source, inverseMobility_, timers_, fields_,
+                    report);
     correctAndMove(dt);
     report.putBack = this->guard_.keepOut(scene_.water.x);
     return report;
@@ -69,9 +70,11 @@ void PaperStep<Dim>::predict(Real dt)
             fields_.pairs.forWalls(i, [&](const auto& pair) {
                 const Index k = pair.j - points.fluid;
                 if (walls.noSlip[k])
-                    laplacian -= points.volume[pair.j] * pair.F() * walls.slip(k, pair.x_ij, v[i], soil.porosity[i], scheme.spacing);
+                    laplacian -= points.volume[pair.j] * pair.F() *
+                                 walls.slip(k, pair.x_ij, v[i], soil.porosity[i], scheme.spacing);
             });
-        const Real nu = scheme.viscosity + (fields_.eddyViscosity.empty() ? 0 : fields_.eddyViscosity[i]);
+        const Real nu =
+            scheme.viscosity + (fields_.eddyViscosity.empty() ? 0 : fields_.eddyViscosity[i]);
         const Real r = scene_.porous ? soil.linear[i] + soil.quadratic[i] * norm(v[i]) : 0;
         const Real kdt = mobility_[i] * dt;
         const Vec<Dim> rate = (nu / soil.porosity[i]) * laplacian + scheme.force;
@@ -88,19 +91,23 @@ void PaperStep<Dim>::densityTerm(Real dt, StepReport& report)
 {
     const Scheme<Dim>& scheme = scene_.scheme;
     const Real alpha = scheme.stabilisation == Stabilisation::constantAlpha ? scheme.alpha
-                     : scheme.stabilisation == Stabilisation::relaxedDensity ? dt / scheme.relaxationTime
-                                                                             : 0;
+                       : scheme.stabilisation == Stabilisation::relaxedDensity
+                           ? dt / scheme.relaxationTime
+                           : 0;
     const Index n = fields_.points.water;
     divergence_.resize(n);
     std::vector<Real> error(n, 0);
     parallelForDynamic(n, [&](Index i) {
         const Real eps = fields_.soil.porosity[i];
-        const Real surplus = fields_.corrections.filling[i] - this->lattice_.filling;   // <rho>/(eps rho0) - 1
+        // <rho>/(eps rho0) - 1
+        const Real surplus = fields_.corrections.filling[i] - this->lattice_.filling;
         const bool inner = fields_.role[i] == SurfaceRole::inner;
-        divergence_[i] = (inner || surplus > 0 ? alpha / dt * eps * surplus : 0) - solidsDivergence(fields_, i);
+        divergence_[i] =
+            (inner || surplus > 0 ? alpha / dt * eps * surplus : 0) - solidsDivergence(fields_, i);
         if (inner) error[i] = sqr(surplus);
     });
-    report.densityError = std::sqrt(orderedSum(n, [&](Index i) { return error[i]; }) / std::max<Index>(1, n));
+    report.densityError =
+        std::sqrt(orderedSum(n, [&](Index i) { return error[i]; }) / std::max<Index>(1, n));
 }
 
 template <int Dim>

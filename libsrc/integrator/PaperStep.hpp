@@ -5,15 +5,15 @@
 
 namespace isph {
 
-/// The paper's own projection, for comparison: `projection paper;`.                      [theory 10]
-///   v*      = v^n + dt k (nu_E lap v + g - a v - b|v|v)          (5), drag explicit; or semi-implicit:
+/// The paper's own projection, for comparison: `projection paper;`.                     [theory 10]
+///   v*      = v^n + dt k (nu_E lap v + g - a v - b|v|v)     (5), drag explicit; or semi-implicit:
 ///             [v^n + dt k (nu_E lap v + g)]/(1 + dt k (a + b|v|))
-///   lap p   = rho/(k dt) [ div v* + alpha (eps - <rho>/rho0)/dt ]                (15), (16), of i alone
-///   v^(n+1) = v* - dt k (grad p)/rho,   x += dt (u^n + u^(n+1))/2
-/// with k = eps/C_r, <rho> the apparent density, gravity in the predictor and gradients uncorrected.
-/// Where it fails: explicit drag is unstable for dt > 2/(k (a + b|v|)), fine soil at any usual step, and
-/// ends in an error there; semi-implicit drag balances a v with (1 + k dt a) grad p, so that Darcy flow
-/// depends on the step; water at rest
+///   lap p   = rho/(k dt) [ div v* + alpha (eps - <rho>/rho0)/dt ]                (15), (16), of i
+///   alone v^(n+1) = v* - dt k (grad p)/rho,   x += dt (u^n + u^(n+1))/2
+/// with k = eps/C_r, <rho> the apparent density, gravity in the predictor and gradients
+/// uncorrected. Where it fails: explicit drag is unstable for dt > 2/(k (a + b|v|)), fine soil at
+/// any usual step, and ends in an error there; semi-implicit drag balances a v with (1 + k dt a)
+/// grad p, so that Darcy flow depends on the step; water at rest
 /// over soil is not at rest; a sealed box with soil has no solution.
 template <int Dim>
 class PaperStep : public ProjectionStep<Dim> {

@@ -14,17 +14,20 @@ namespace isph {
 
 namespace {
 constexpr Real kRoughStrength = 8;     // c_r of rough parts, which are small,
-constexpr Real kWholeStrength = 0.5;   // and of whole differences at the surface, over that of the case
+// And of whole differences at the surface, over that of the case
+constexpr Real kWholeStrength = 0.5;
 
-/// Reynolds numbers |grad v| d0^2/nu of the spacing up to which friction resolves a shear, and from which on it is too
-/// weak to end the noise in it.                                                           [theory (7.8)]
+/// Reynolds numbers |grad v| d0^2/nu of the spacing up to which friction resolves a shear, and from
+/// which on it is too weak to end the noise in it.                                   [theory (7.8)]
 constexpr Real kResolved = 10, kUnresolved = 20;
 
-/// Share of the rough part of v_ij that makes the Laplacian exact to the fourth order of a full support, for any
-/// kernel, and its bound in shares of v_ij: noise must not stiffen the explicit friction.   [theory (2.13)]
+/// Share of the rough part of v_ij that makes the Laplacian exact to the fourth order of a full
+/// support, for any kernel, and its bound in shares of v_ij: noise must not stiffen the explicit
+/// friction.                                                                        [theory (2.13)]
 constexpr Real kSharpening = 1.0 / 3, kMostSharpening = 0.1;
 
-/// Share of h0^2 that friction spreads over in a step from which on the packing's anisotropy counts. [theory (2.14)]
+/// Share of h0^2 that friction spreads over in a step from which on the packing's anisotropy
+/// counts. [theory (2.14)]
 constexpr Real kViscous = 5e-4;
 
 /// What pairs ask of a particle, side by side in memory. The gradient needs the first eight,
@@ -32,28 +35,36 @@ constexpr Real kViscous = 5e-4;
 template <int Dim>
 struct Carried {
     enum Place : int {
-        x = 0,                 ///< Dim values
-        v = Dim,               ///< extrapolated to the new time, Dim values
-        volume = 2 * Dim, part, lambda, viscosity, zone,
-        gradient,              ///< grad v where differences have a smooth part, else zero, row by row
-        whole = gradient + Dim * Dim,   ///< 1 if inner and all partners are in the same zone, otherwise 0
-        shear,                 ///< |grad v|
-        unresolved,            ///< its share that friction does not resolve
-        used, size = (used + kLanes - 1) / kLanes * kLanes
+        x = 0,    ///< Dim values
+        v = Dim,  ///< extrapolated to the new time, Dim values
+        volume = 2 * Dim,
+        part,
+        lambda,
+        viscosity,
+        zone,
+        gradient,  ///< grad v where differences have a smooth part, else zero, row by row
+        whole = gradient +
+                Dim * Dim,  ///< 1 if inner and all partners are in the same zone, otherwise 0
+        shear,              ///< |grad v|
+        unresolved,         ///< its share that friction does not resolve
+        used,
+        size = (used + kLanes - 1) / kLanes * kLanes
     };
-    /// part: 1 near the surface, 1.5 where the smooth part is taken off there too, 2 inner; negative in soil that
-    /// holds its water. No dissipation acts across its face. (7.5)
+    /// part: 1 near the surface, 1.5 where the smooth part is taken off there too, 2 inner;
+    /// negative in soil that holds its water. No dissipation acts across its face. (7.5)
     static constexpr Real kClear = 1, kSmooth = 1.5, kInner = 2;
 };
 
-/// 0 where friction resolves a shear, 1 where it is too weak; shear is |grad v| d0^2 [m2/s].   [theory (7.8)]
+/// 0 where friction resolves a shear, 1 where it is too weak; shear is |grad v| d0^2 [m2/s].
+///                                                                                   [theory (7.8)]
 inline Real unresolvedShare(Real shear, Real nu)
 {
     const Real beyond = shear - kResolved * nu, all = (kUnresolved - kResolved) * nu;
     return beyond < all ? std::max(Real(0), beyond / all) : 1;
 }
 
-/// grad v of inner particles; where it is zero a velocity difference has no smooth part.   [theory (7.3)]
+/// grad v of inner particles; where it is zero a velocity difference has no smooth part.
+///                                                                                   [theory (7.3)]
 template <bool HasSoil, int Dim>
 void velocityGradient(const StepFields<Dim>& fields, Real spacing, Index i,
                       const Records<Carried<Dim>::size>& carried)
@@ -84,7 +95,8 @@ void velocityGradient(const StepFields<Dim>& fields, Real spacing, Index i,
     own[C::shear] = std::sqrt(shear2);
     // Soil feeds noise at any Reynolds number.
     const bool clear = own[C::whole] > 0 && own[C::zone] == kClearWater;
-    own[C::unresolved] = clear ? unresolvedShare(own[C::shear] * sqr(spacing), own[C::viscosity]) : 1;
+    own[C::unresolved] =
+        clear ? unresolvedShare(own[C::shear] * sqr(spacing), own[C::viscosity]) : 1;
 }
 
 template <int Dim>
@@ -121,14 +133,14 @@ inline Lanes roughPart(const Lanes& a, const Lanes& smooth)
     return rough * a > 0 ? less : Lanes{};
 }
 
-/// a with a third of its rough part more, bounded.                                         [theory (2.13)]
+/// a with a third of its rough part more, bounded.                                  [theory (2.13)]
 inline Lanes sharpened(const Lanes& a, const Lanes& smooth)
 {
     const Lanes more = kSharpening * (a - smooth), most = kMostSharpening * sizeOf(a);
     return a + (more < -most ? -most : (more > most ? most : more));
 }
 
-/// Viscosity along the lines to partners, that of two media in series.                      [theory (3.3)]
+/// Viscosity along the lines to partners, that of two media in series.               [theory (3.3)]
 template <int Dim>
 Lanes viscosityOf(const Partners<Dim>& partners, const Lanes& ownShare)
 {
@@ -138,16 +150,18 @@ Lanes viscosityOf(const Partners<Dim>& partners, const Lanes& ownShare)
     return both > 0 ? nu_i * nu_j / both : Lanes{};
 }
 
-/// Second derivatives and second moments of a row of an inner particle, those of every lane apart: what the
-/// anisotropy of the packing adds to friction.                                            [theory (2.14)]
+/// Second derivatives and second moments of a row of an inner particle, those of every lane apart:
+/// what the anisotropy of the packing adds to friction.                             [theory (2.14)]
 template <int Dim>
 struct AnisotropySum {
     using C = Carried<Dim>;
-    std::array<std::array<Lanes, Dim>, Dim> spread{};                  ///< sum V F x_ij x_ij, over the share of a full support
-    std::array<std::array<std::array<Lanes, Dim>, Dim>, Dim> bend{};   ///< sum V (grad v_j - grad v_i) gradW_ij
+    std::array<std::array<Lanes, Dim>, Dim>
+        spread{};  ///< sum V F x_ij x_ij, over the share of a full support
+    std::array<std::array<std::array<Lanes, Dim>, Dim>, Dim>
+        bend{};  ///< sum V (grad v_j - grad v_i) gradW_ij
 
-    void add(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, const Lanes& slope, const Lanes& weight,
-             const Lanes& smooth)
+    void add(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, const Lanes& slope,
+             const Lanes& weight, const Lanes& smooth)
     {
         const Lanes VSlope = smooth * partners(C::volume) * slope;
         for (int a = 0; a < Dim; ++a)
@@ -166,7 +180,8 @@ struct AnisotropySum {
             for (int a = 0; a < Dim; ++a) second[a] = sumOf(bend[d][a]);
             second = second * L;
             for (int a = 0; a < Dim; ++a)
-                for (int c = 0; c < Dim; ++c) sum[d] += (Real(0.5) * sumOf(spread[a][c]) - (a == c)) * second[a][c];
+                for (int c = 0; c < Dim; ++c)
+                    sum[d] += (Real(0.5) * sumOf(spread[a][c]) - (a == c)) * second[a][c];
         }
         return sum;
     }
@@ -181,7 +196,8 @@ struct NoAnisotropySum {
 template <int Dim, bool Viscous>
 struct RateSum {
     using C = Carried<Dim>;
-    Real dissipation, most, shortest2;   ///< c_r; largest share of a velocity difference; of |x_ij|^2
+    Real dissipation, most,
+        shortest2;  ///< c_r; largest share of a velocity difference; of |x_ij|^2
     std::array<Lanes, Dim> rate{};
     std::array<Lanes, Dim> side{};       ///< sum V F x_ij over the share of a full support
     std::conditional_t<Viscous, AnisotropySum<Dim>, NoAnisotropySum<Dim>> anisotropy{};
@@ -205,7 +221,8 @@ struct RateSum {
         const Lanes weight = VF / supportOf(partners), nu = viscosityOf(partners, ownShare);
         const Lanes pull = pullOf(partners, VF, approach, smoothApproach, nu, r2)
                          / (r2 > shortest2 ? r2 : allLanes(shortest2));
-        const Lanes friction = weight * nu, smoothPair = partners.own[C::whole] * partners(C::whole);
+        const Lanes friction = weight * nu,
+                    smoothPair = partners.own[C::whole] * partners(C::whole);
         for (int d = 0; d < Dim; ++d) {
             const Lanes v = smoothPair > 0 ? sharpened(v_ij[d], smooth[d]) : v_ij[d];
             rate[d] -= friction * v + pull * x[d];
@@ -219,7 +236,8 @@ private:
     static Lanes smoothPart(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, int d)
     {
         Lanes smooth{};
-        for (int c = 0; c < Dim; ++c) smooth += Real(0.5) * partners.sum(C::gradient + d * Dim + c) * x[c];
+        for (int c = 0; c < Dim; ++c)
+            smooth += Real(0.5) * partners.sum(C::gradient + d * Dim + c) * x[c];
         return smooth;
     }
     static Lanes supportOf(const Partners<Dim>& partners)
@@ -227,8 +245,8 @@ private:
         const Lanes support = partners.sum(C::lambda) * (Real(0.5) / Dim);
         return support > kLeastPairSupport ? support : allLanes(kLeastPairSupport);
     }
-    /// What of a rough part's size is noise: all where friction is too weak for the shear, else what is more than the
-    /// bends of a shear can be.                                                               [theory (7.8)]
+    /// What of a rough part's size is noise: all where friction is too weak for the shear, else
+    /// what is more than the bends of a shear can be.                                [theory (7.8)]
     /// Inlined, as pullOf(), or numbers of partners would go through memory.
     [[gnu::always_inline]] static Lanes noiseOf(const Partners<Dim>& partners, const Lanes& rough,
                                                 const Lanes& r2)
@@ -239,10 +257,11 @@ private:
         const Lanes noise = beyond < size ? beyond : size;
         return noise > unresolved ? noise : unresolved;
     }
-    /// 2 V F (c_r n - nu) a, a the approach or its rough part, n what of its size counts: what friction does not do
-    /// itself.
-    [[gnu::always_inline]] Lanes pullOf(const Partners<Dim>& partners, const Lanes& VF, const Lanes& approach,
-                                        const Lanes& smooth, const Lanes& nu, const Lanes& r2) const
+    /// 2 V F (c_r n - nu) a, a the approach or its rough part, n what of its size counts: what
+    /// friction does not do itself.
+    [[gnu::always_inline]] Lanes pullOf(const Partners<Dim>& partners, const Lanes& VF,
+                                        const Lanes& approach, const Lanes& smooth, const Lanes& nu,
+                                        const Lanes& r2) const
     {
         if (dissipation == 0) return Lanes{};
         const Lanes part = partners(C::part) * (partners.own[C::part] < 0 ? Real(-1) : Real(1));
@@ -250,7 +269,9 @@ private:
         if (std::abs(partners.own[C::part]) >= C::kSmooth) {
             const Lanes rough = roughPart(approach, smooth);
             a = part >= C::kSmooth ? rough : approach;
-            viscosity = part >= C::kSmooth ? dissipation * kRoughStrength * noiseOf(partners, rough, r2) : viscosity;
+            viscosity = part >= C::kSmooth
+                            ? dissipation * kRoughStrength * noiseOf(partners, rough, r2)
+                            : viscosity;
         }
         const Lanes lacking = viscosity - nu;
         const Lanes pull = 2 * VF * (lacking > 0 ? lacking : Lanes{});
@@ -258,17 +279,18 @@ private:
     }
 };
 
-/// Points of the lattice within 2 h. A pair may take away this share of its velocity difference in a
-/// step and no more: the dissipation is explicit and must not overshoot where sprays meet.
+/// Points of the lattice within 2 h. A pair may take away this share of its velocity difference in
+/// a step and no more: the dissipation is explicit and must not overshoot where sprays meet.
 template <int Dim>
 Real neighboursOfLattice(const Scheme<Dim>& scheme)
 {
     const Real q = 2 * scheme.h0 / scheme.spacing, pi = 3.141592653589793;
     return Dim == 2 ? pi * sqr(q) : 4 * pi / 3 * cube(q);
 }
-/// Shares of the lines to partners in the zone of the particle itself.                     [theory (4.15)]
+/// Shares of the lines to partners in the zone of the particle itself.              [theory (4.15)]
 template <int Dim, class Medium>
-Lanes ownShareOf(Index i, const Medium& medium, const PairLanes& pairs, const Partners<Dim>& partners)
+Lanes ownShareOf(Index i, const Medium& medium, const PairLanes& pairs,
+                 const Partners<Dim>& partners)
 {
     using C = Carried<Dim>;
     Lanes share = allLanes(0.5);
@@ -280,8 +302,8 @@ Lanes ownShareOf(Index i, const Medium& medium, const PairLanes& pairs, const Pa
     return share;
 }
 
-/// nu grad v of a particle that has partners across a face, of the viscosity of each pair: exact where the stress is
-/// uniform, whatever the jump of the gradient.                                             [theory (2.15)]
+/// nu grad v of a particle that has partners across a face, of the viscosity of each pair: exact
+/// where the stress is uniform, whatever the jump of the gradient.                  [theory (2.15)]
 template <int Dim, class Medium>
 Mat<Dim> stressOf(Index i, const Medium& medium, const StepFields<Dim>& fields,
                   const Records<Carried<Dim>::size>& carried)
@@ -301,10 +323,11 @@ Mat<Dim> stressOf(Index i, const Medium& medium, const StepFields<Dim>& fields,
     return sum.total() * fields.corrections.Lwater(i);
 }
 
-/// What the boundary layer at the nearest wall takes from a particle, whose Darcy velocity is v_i.  [theory (6.11)]
+/// What the boundary layer at the nearest wall takes from a particle, whose Darcy velocity is v_i.
+///                                                                                  [theory (6.11)]
 template <int Dim>
-Vec<Dim> wallLawOf(Index i, const Vec<Dim>& v_i, Real porosity, const WallCloud<Dim>& walls, const Scheme<Dim>& scheme,
-                   const StepFields<Dim>& fields)
+Vec<Dim> wallLawOf(Index i, const Vec<Dim>& v_i, Real porosity, const WallCloud<Dim>& walls,
+                   const Scheme<Dim>& scheme, const StepFields<Dim>& fields)
 {
     const Real spacing = scheme.spacing * fields.points.h[i] / scheme.h0;
     Real nearest = std::numeric_limits<Real>::max(), height = 0;
@@ -312,19 +335,22 @@ Vec<Dim> wallLawOf(Index i, const Vec<Dim>& v_i, Real porosity, const WallCloud<
     fields.pairs.forWalls(i, [&](const auto& pair) {
         const Index k = pair.j - fields.points.fluid;
         if (normSqr(pair.x_ij) >= nearest || walls.depth[k] >= scheme.spacing) return;
-        nearest = normSqr(pair.x_ij), wall = k, height = dot(pair.x_ij, walls.normal[k]) - walls.depth[k];
+        nearest = normSqr(pair.x_ij), wall = k,
+        height = dot(pair.x_ij, walls.normal[k]) - walls.depth[k];
     });
     if (wall < 0 || !walls.wallLaw[wall]) return {};
     const Vec<Dim> passing = v_i - porosity * walls.velocity[wall];
     const Vec<Dim> along = passing - dot(passing, walls.normal[wall]) * walls.normal[wall];
-    const Real stress = wallStress(norm(along), std::max(height, Real(0.5) * spacing), scheme.viscosity);
+    const Real stress =
+        wallStress(norm(along), std::max(height, Real(0.5) * spacing), scheme.viscosity);
     return -stress * wallLayer(height, spacing) * unit(along);
 }
 
 /// Accelerations of a particle by friction and dissipation.
 template <bool Viscous, int Dim, class Medium>
-Vec<Dim> rateOf(Index i, const Medium& medium, const WallCloud<Dim>& walls, const Scheme<Dim>& scheme, Real most,
-                const StepFields<Dim>& fields, const Records<Carried<Dim>::size>& carried)
+Vec<Dim> rateOf(Index i, const Medium& medium, const WallCloud<Dim>& walls,
+                const Scheme<Dim>& scheme, Real most, const StepFields<Dim>& fields,
+                const Records<Carried<Dim>::size>& carried)
 {
     using C = Carried<Dim>;
     const auto& pairs = fields.pairs;
@@ -345,8 +371,10 @@ Vec<Dim> rateOf(Index i, const Medium& medium, const WallCloud<Dim>& walls, cons
         pairs.forWalls(i, [&](const auto& pair) {
             const Index k = pair.j - fields.points.fluid;
             if (!walls.noSlip[k]) return;
-            const Real weight = fields.points.volume[pair.j] * pair.F() * supportFactor<Dim>(own[C::lambda], own[C::lambda]);
-            rate -= weight * nu_i * walls.slip(k, pair.x_ij, v_i, medium.porosity(i), scheme.spacing);
+            const Real weight = fields.points.volume[pair.j] * pair.F() *
+                                supportFactor<Dim>(own[C::lambda], own[C::lambda]);
+            rate -=
+                weight * nu_i * walls.slip(k, pair.x_ij, v_i, medium.porosity(i), scheme.spacing);
             side += weight * pair.x_ij;
         });
     if (!walls.wallLaw.empty() && pairs.wallNeighbours(i) > 0)
@@ -355,7 +383,8 @@ Vec<Dim> rateOf(Index i, const Medium& medium, const WallCloud<Dim>& walls, cons
     // Where slip walls cut the support the Laplacian stays as it is.
     if (inner && (clear || !walls.noSlip.empty())) {
         if constexpr (Medium::hasSoil) {
-            if (inner && !whole && nu_i > 0) return rate + stressOf(i, medium, fields, carried) * side;
+            if (inner && !whole && nu_i > 0)
+                return rate + stressOf(i, medium, fields, carried) * side;
         }
         rate += nu_i * (gradientOf<Dim>(own) * side);
     }
@@ -370,7 +399,8 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
 {
     const Points<Dim>& points = fields.points;
     // Slip walls take no part in the friction, nor then in its support.
-    const auto& lambda = walls.noSlip.empty() ? fields.corrections.lambdaWater : fields.corrections.lambda;
+    const auto& lambda =
+        walls.noSlip.empty() ? fields.corrections.lambdaWater : fields.corrections.lambda;
     const bool turbulent = !fields.eddyViscosity.empty();
     using C = Carried<Dim>;
     const auto carried = fields.pairs.template records<C::size>();
@@ -379,12 +409,17 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
         if constexpr (Medium::hasSoil)
             for (int d = 0; d < Dim; ++d) to[C::v + d] = fields.face.v[i][d];
         else
-            for (int d = 0; d < Dim; ++d) to[C::v + d] = weights.extrapolated(water.u[i][d], water.uOld[i][d]);
+            for (int d = 0; d < Dim; ++d)
+                to[C::v + d] = weights.extrapolated(water.u[i][d], water.uOld[i][d]);
         const bool inner = fields.role[i] == SurfaceRole::inner;
-        to[C::part] = (inner ? C::kInner : scheme.wholeAtSurface ? C::kClear : C::kSmooth) * (medium.isHeld(i, norm(water.u[i])) ? -1 : 1);
+        to[C::part] = (inner                   ? C::kInner
+                       : scheme.wholeAtSurface ? C::kClear
+                                               : C::kSmooth) *
+                      (medium.isHeld(i, norm(water.u[i])) ? -1 : 1);
         to[C::volume] = points.volume[i];
         to[C::lambda] = lambda[i];
-        to[C::viscosity] = (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) / medium.sharpPorosity(i);
+        to[C::viscosity] = (scheme.viscosity + (turbulent ? fields.eddyViscosity[i] : 0)) /
+                           medium.sharpPorosity(i);
         to[C::zone] = medium.zone(i);
     });
     const auto copyToImages = [&](int from, int to) {
@@ -420,13 +455,13 @@ void predict(const Water<Dim>& water, const WallCloud<Dim>& walls, const Medium&
     points.refresh(fields.v);
 }
 
-template void predict(const Water<2>&, const WallCloud<2>&, const ClearWater<2>&, const Scheme<2>&, const StepWeights&,
-                      StepFields<2>&);
-template void predict(const Water<3>&, const WallCloud<3>&, const ClearWater<3>&, const Scheme<3>&, const StepWeights&,
-                      StepFields<3>&);
-template void predict(const Water<2>&, const WallCloud<2>&, const WaterInSoil<2>&, const Scheme<2>&, const StepWeights&,
-                      StepFields<2>&);
-template void predict(const Water<3>&, const WallCloud<3>&, const WaterInSoil<3>&, const Scheme<3>&, const StepWeights&,
-                      StepFields<3>&);
+template void predict(const Water<2>&, const WallCloud<2>&, const ClearWater<2>&, const Scheme<2>&,
+                      const StepWeights&, StepFields<2>&);
+template void predict(const Water<3>&, const WallCloud<3>&, const ClearWater<3>&, const Scheme<3>&,
+                      const StepWeights&, StepFields<3>&);
+template void predict(const Water<2>&, const WallCloud<2>&, const WaterInSoil<2>&, const Scheme<2>&,
+                      const StepWeights&, StepFields<2>&);
+template void predict(const Water<3>&, const WallCloud<3>&, const WaterInSoil<3>&, const Scheme<3>&,
+                      const StepWeights&, StepFields<3>&);
 
 }  // namespace isph

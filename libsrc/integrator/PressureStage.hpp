@@ -14,7 +14,8 @@ public:
     /// out  fields.p of water and images [m2/s2], scene.water.p [Pa], the report of the solver
     template <class Medium>
     void solve(Scene<Dim>& scene, const Medium& medium, const PressureSource<Dim>& source,
-               Span<const Real> rowFactor, Timers& timers, StepFields<Dim>& fields, StepReport& report);
+               Span<const Real> rowFactor, Timers& timers, StepFields<Dim>& fields,
+               StepReport& report);
 
 private:
     PressureRows rows_;

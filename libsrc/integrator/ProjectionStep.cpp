@@ -28,8 +28,8 @@ void ProjectionStep<Dim>::look()
     }
     {
         const auto timer = timers_.scope("neighbours");
-        layPoints<Dim>(water, soil.porosity, scene_.wallCloud, scene_.box, scheme.spacing, scheme.h0,
-                       scene_.kernel->supportRadius(), points);
+        layPoints<Dim>(water, soil.porosity, scene_.wallCloud, scene_.box, scheme.spacing,
+                       scheme.h0, scene_.kernel->supportRadius(), points);
         dryWalls(scene_.wallCloud, scheme.spacing, scheme.h0, points);
         fields_.pairs.build(points, *scene_.kernel);
     }
@@ -37,8 +37,11 @@ void ProjectionStep<Dim>::look()
     fields_.corrections.compute(points, fields_.pairs);
     findFreeSurface(points, fields_.pairs, fields_.corrections, fields_.role);
     if (scene_.porous) {
-        const auto refresh = [&](auto& field) { field.resize(points.fluid), points.refresh(field); };
-        refresh(soil.porosity), refresh(soil.sharpPorosity), refresh(soil.zone), refresh(soil.depth);
+        const auto refresh = [&](auto& field) {
+            field.resize(points.fluid), points.refresh(field);
+        };
+        refresh(soil.porosity), refresh(soil.sharpPorosity), refresh(soil.zone),
+            refresh(soil.depth);
         refresh(soil.mobility), refresh(soil.normal), refresh(soil.inertia);
         if (!soil.solidsFlux.empty()) refresh(soil.solidsFlux);
     }

@@ -7,50 +7,78 @@
 namespace isph {
 
 namespace {
-constexpr Real kSharpestTurn = 10;   // water of the speed U at the start turns within a tenth of its extent   (5.4)
+// Water of the speed U at the start turns within a tenth of its extent   (5.4)
+constexpr Real kSharpestTurn = 10;
 }
 
 Schema schemeKeys()
 {
-    return {Key::word("kernel", "the smoothing kernel").byDefault("wendlandC2"),
-            Key::scalar("smoothingRatio", "h/d0, the smoothing length over the spacing in clear water")
-                .byDefault("1.5").atLeast(0.8).atMost(3),
-            Key::word("projection", "dragImplicit, or the paper's equations as printed, for comparison")
-                .oneOf({"dragImplicit", "paper"}).byDefault("dragImplicit"),
-            Key::dictionary("paperCoeffs", "choices of projection paper").mayBeAbsent(),
-            Key::dictionary("stabilisation", "how the density is kept").mayBeAbsent(),
-            Key::dictionary("shifting", "how the particles are evened out").mayBeAbsent(),
-            Key::dictionary("dissipation", "numerical dissipation of velocity differences").mayBeAbsent()};
+    return {
+        Key::word("kernel", "the smoothing kernel").byDefault("wendlandC2"),
+        Key::scalar("smoothingRatio", "h/d0, the smoothing length over the spacing in clear water")
+            .byDefault("1.5")
+            .atLeast(0.8)
+            .atMost(3),
+        Key::word("projection", "dragImplicit, or the paper's equations as printed, for comparison")
+            .oneOf({"dragImplicit", "paper"})
+            .byDefault("dragImplicit"),
+        Key::dictionary("paperCoeffs", "choices of projection paper").mayBeAbsent(),
+        Key::dictionary("stabilisation", "how the density is kept").mayBeAbsent(),
+        Key::dictionary("shifting", "how the particles are evened out").mayBeAbsent(),
+        Key::dictionary("dissipation", "numerical dissipation of velocity differences")
+            .mayBeAbsent()};
 }
 
 Schema stabilisationKeys()
 {
-    return {Key::word("type", "relaxedDensity: alpha = dt/relaxationTime; constantAlpha: the paper's")
-                .oneOf({"relaxedDensity", "constantAlpha", "none"}).byDefault("relaxedDensity"),
-            Key::scalar("relaxationTime", "time in which density errors decay [s]; auto: 0.2 sqrt(H/g), without gravity 10 L/U")
-                .units(dims::time).above(0).oneOf({"auto"}).byDefault("auto"),
-            Key::scalar("speedFactor", "upper bound of the decay rate in units of max|u|/d0")
-                .byDefault("0.1").atLeast(0),
-            Key::scalar("alpha", "share of the density error that constantAlpha removes in a step")
-                .byDefault("0.01").atLeast(0).atMost(1)};
+    return {
+        Key::word("type", "relaxedDensity: alpha = dt/relaxationTime; constantAlpha: the paper's")
+            .oneOf({"relaxedDensity", "constantAlpha", "none"})
+            .byDefault("relaxedDensity"),
+        Key::scalar(
+            "relaxationTime",
+            "time in which density errors decay [s]; auto: 0.2 sqrt(H/g), without gravity 10 L/U")
+            .units(dims::time)
+            .above(0)
+            .oneOf({"auto"})
+            .byDefault("auto"),
+        Key::scalar("speedFactor", "upper bound of the decay rate in units of max|u|/d0")
+            .byDefault("0.1")
+            .atLeast(0),
+        Key::scalar("alpha", "share of the density error that constantAlpha removes in a step")
+            .byDefault("0.01")
+            .atLeast(0)
+            .atMost(1)};
 }
 
 Schema shiftingKeys()
 {
-    return {Key::scalar("coefficient", "A of dx = -A h U dt grad C, U = max|u_i - u_j| of the neighbours, 0: none")
-                .byDefault("10").atLeast(0),
+    return {Key::scalar("coefficient",
+                        "A of dx = -A h U dt grad C, U = max|u_i - u_j| of the neighbours, 0: none")
+                .byDefault("10")
+                .atLeast(0),
             Key::scalar("largestShift", "bound of a step's shift in local spacings")
-                .byDefault("0.05").above(0).atMost(0.5)};
+                .byDefault("0.05")
+                .above(0)
+                .atMost(0.5)};
 }
 
 Schema dissipationKeys()
 {
-    return {Key::scalar("coefficient", "c_r of the pair viscosity c_r r|v.e|, 0: none").byDefault("16").atLeast(0),
-            Key::word("surface", "what dissipates at and near the surface: whole differences of the velocity, or their "
-                                 "rough part, as inside")
-                .oneOf({"whole", "rough"}).byDefault("whole"),
-            Key::scalar("collisionDistance", "local spacings below which approach is stopped")
-                .byDefault("0.5").atLeast(0).atMost(0.9)};
+    return {
+        Key::scalar("coefficient", "c_r of the pair viscosity c_r r|v.e|, 0: none")
+            .byDefault("16")
+            .atLeast(0),
+        Key::word(
+            "surface",
+            "what dissipates at and near the surface: whole differences of the velocity, or their "
+            "rough part, as inside")
+            .oneOf({"whole", "rough"})
+            .byDefault("whole"),
+        Key::scalar("collisionDistance", "local spacings below which approach is stopped")
+            .byDefault("0.5")
+            .atLeast(0)
+            .atMost(0.9)};
 }
 
 Schema paperKeys()
@@ -85,8 +113,9 @@ void checkSchemes(const Dictionary& schemes)
 
 Projection readProjection(const Dictionary& schemes)
 {
-    return schemeKeys().get<std::string>(schemes, "projection") == "paper" ? Projection::paper
-                                                                           : Projection::dragImplicit;
+    return schemeKeys().get<std::string>(schemes, "projection") == "paper"
+               ? Projection::paper
+               : Projection::dragImplicit;
 }
 
 PaperDrag readPaperDrag(const Dictionary& schemes)

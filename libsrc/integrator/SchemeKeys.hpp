@@ -28,12 +28,13 @@ struct WaterProperties {
     Real density = 1000;     ///< [kg/m3]
     Real viscosity = 1e-6;   ///< [m2/s]
     Vector3 force{};         ///< g + body force [m/s2]
-    Real depth = 0;          ///< extent of the water along g at the start, without gravity the largest [m]
+    Real depth = 0;  ///< extent of the water along g at the start, without gravity the largest [m]
     Real speed = 0;          ///< largest at the start [m/s]
 };
 
-/// The scheme of a case. relaxationTime auto is 0.2 sqrt(H/|g|) with the water's depth H at the start,
-/// and 10 L/U without gravity (L the largest extent, U the largest speed at the start).  [theory (5.5)]
+/// The scheme of a case. relaxationTime auto is 0.2 sqrt(H/|g|) with the water's depth H at the
+/// start, and 10 L/U without gravity (L the largest extent, U the largest speed at the start).
+///                                                                                   [theory (5.5)]
 template <int Dim>
 Scheme<Dim> readScheme(const Dictionary& schemes, const WaterProperties& water);
 

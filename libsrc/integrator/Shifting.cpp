@@ -12,7 +12,8 @@ template <int Dim>
 Real internalSpeed(const std::vector<Vec<Dim>>& u)
 {
     const std::size_t n = u.size();
-    const Vec<Dim> mean = orderedSum(n, [&](Index i) { return u[i]; }) / std::max<Real>(1, static_cast<Real>(n));
+    const Vec<Dim> mean =
+        orderedSum(n, [&](Index i) { return u[i]; }) / std::max<Real>(1, static_cast<Real>(n));
     return std::sqrt(orderedMax(n, 0, [&](Index i) { return normSqr(u[i] - mean); }));
 }
 
@@ -20,19 +21,28 @@ namespace {
 constexpr Real kTensile = 0.2;             // [Monaghan 2000], power 4
 constexpr Real kLeastSupport = 0.4;        // lambda/Dim below which nothing is shifted
 constexpr Real kSoilShare = 0.05;
-constexpr Real kEdge = 1e-12;              // of W(s_i): rounding decides about pairs at the edge of the support
+constexpr Real kEdge = 1e-12;  // of W(s_i): rounding decides about pairs at the edge of the support
 constexpr Real kSurfaceCollision = 0.95;   // in local spacings: between particles of the surface
-constexpr Real kCorner = 0.3;              // |T_i| h_i from which on walls leave a particle too little room (5.4)
+// |T_i| h_i from which on walls leave a particle too little room (5.4)
+constexpr Real kCorner = 0.3;
 
-/// What shifting asks of a partner. Water beside soil sees the Darcy velocity, which is continuous across
-/// the face; pores are swifter.
+/// What shifting asks of a partner. Water beside soil sees the Darcy velocity, which is continuous
+/// across the face; pores are swifter.
 template <int Dim>
 struct Neighbour {
-    /// Velocities of both times fit one record of eight. In 3-D those of the step before have one of their own and a
-    /// loop of their own, for registers do not hold the sums of both.
+    /// Velocities of both times fit one record of eight. In 3-D those of the step before have one
+    /// of their own and a loop of their own, for registers do not hold the sums of both.
     static constexpr bool bothTimes = Dim == 2;
-    enum Place : int { x = 0, u = Dim, volume = 2 * Dim, before = bothTimes ? 0 : kLanes, size = before + kLanes };
-    enum PlaceBefore : int { uOld = bothTimes ? 6 : Dim };   ///< from `before` on, x and volume as above
+    enum Place : int {
+        x = 0,
+        u = Dim,
+        volume = 2 * Dim,
+        before = bothTimes ? 0 : kLanes,
+        size = before + kLanes
+    };
+    enum PlaceBefore : int {
+        uOld = bothTimes ? 6 : Dim
+    };  ///< from `before` on, x and volume as above
 };
 
 /// Sums over the water partners of a particle, those of every lane apart.
@@ -41,7 +51,8 @@ struct ShiftSum {
     using N = Neighbour<Dim>;
     const Real* own;
     Real WLattice;                            ///< W(s_i)
-    OuterSum<Dim> gradU{}, gradUOld{};        ///< without their correction; the latter if a record has both times
+    OuterSum<Dim> gradU{},
+        gradUOld{};  ///< without their correction; the latter if a record has both times
     std::array<Lanes, Dim> bend{};            ///< sum V F (u_j - u_i)
     std::array<Lanes, Dim> concentration{};
     Lanes fastest2{};                         ///< largest |u_ij|^2
@@ -58,7 +69,8 @@ struct ShiftSum {
             speed2 += u_ij[d] * u_ij[d];
             toPartner[d] = -VSlope * u_ij[d];
             bend[d] -= 2 * toPartner[d];
-            if constexpr (N::bothTimes) toPartnerOld[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
+            if constexpr (N::bothTimes)
+                toPartnerOld[d] = VSlope * (of[N::uOld + d] - own[N::uOld + d]);
         }
         gradU.add(toPartner, x);
         if constexpr (N::bothTimes) gradUOld.add(toPartnerOld, x);
@@ -91,8 +103,8 @@ Records<Neighbour<Dim>::size> neighboursOf(const StepFields<Dim>& fields, const 
 
 /// Gradient of the velocities of the step before, without its correction.
 template <int Dim>
-Mat<Dim> gradientBefore(const PairList<Dim>& pairs, const Records<Neighbour<Dim>::size>& neighbours, Index i,
-                        const ShiftSum<Dim>& shiftSum)
+Mat<Dim> gradientBefore(const PairList<Dim>& pairs, const Records<Neighbour<Dim>::size>& neighbours,
+                        Index i, const ShiftSum<Dim>& shiftSum)
 {
     using N = Neighbour<Dim>;
     if constexpr (N::bothTimes) return shiftSum.gradUOld.total();
@@ -124,7 +136,7 @@ Vec<Dim> risingLambda(const StepFields<Dim>& fields, Index i)
     return sum;
 }
 
-/// How far a shift may go.                                                                   [theory (7.1)]
+/// How far a shift may go.                                                           [theory (7.1)]
 template <int Dim>
 Real largestShift(const Scheme<Dim>& scheme, Real h)
 {
@@ -133,7 +145,8 @@ Real largestShift(const Scheme<Dim>& scheme, Real h)
 
 /// d_i of (7.1)
 template <int Dim>
-Vec<Dim> shiftOf(const Scheme<Dim>& scheme, Real dt, const StepFields<Dim>& fields, const ShiftSum<Dim>& sum, Index i)
+Vec<Dim> shiftOf(const Scheme<Dim>& scheme, Real dt, const StepFields<Dim>& fields,
+                 const ShiftSum<Dim>& sum, Index i)
 {
     const Points<Dim>& points = fields.points;
     const Real h = points.h[i];
@@ -164,16 +177,18 @@ bool isClear(const StepFields<Dim>& fields, Index i)
     return fields.role[i] == SurfaceRole::inner && fields.pairs.wallNeighbours(i) == 0;
 }
 
-/// Whether what neighbours would be moved by in common is left out.                           [theory (7.1)]
+/// Whether what neighbours would be moved by in common is left out.                  [theory (7.1)]
 template <int Dim>
 bool leavesMeanOut(const StepFields<Dim>& fields, Index i)
 {
     if (fields.role[i] != SurfaceRole::inner) return false;
-    return fields.pairs.wallNeighbours(i) == 0 || norm(fields.corrections.lopsided[i]) * fields.points.h[i] < kCorner;
+    return fields.pairs.wallNeighbours(i) == 0 ||
+           norm(fields.corrections.lopsided[i]) * fields.points.h[i] < kCorner;
 }
 
-/// What a shift needs to know of the flow where the particle stands. It is short enough for single precision.
-///                                                                                            [theory (7.2)]
+/// What a shift needs to know of the flow where the particle stands. It is short enough for single
+/// precision.
+///                                                                                   [theory (7.2)]
 template <int Dim>
 struct Move {
     using Gradient = std::array<float, Dim * Dim>;
@@ -181,27 +196,29 @@ struct Move {
     Gradient gradU, gradUOld;
     std::array<float, Dim> bend;  ///< Laplacian of u; zero but for inner particles away from walls
 
-    /// grad u step + |step|^2/(2 Dim) lap u, with that of u for both times: between them it changes little.
+    /// grad u step + |step|^2/(2 Dim) lap u, with that of u for both times: between them it changes
+    /// little.
     Vec<Dim> along(const Gradient& gradient, const Vec<Dim>& way) const
     {
         const Real spread = normSqr(way) / (2 * Dim);
         Vec<Dim> change;
         for (int d = 0; d < Dim; ++d) {
             change[d] = spread * static_cast<Real>(bend[d]);
-            for (int c = 0; c < Dim; ++c) change[d] += static_cast<Real>(gradient[d * Dim + c]) * way[c];
+            for (int c = 0; c < Dim; ++c)
+                change[d] += static_cast<Real>(gradient[d * Dim + c]) * way[c];
         }
         return change;
     }
 };
 
 template <int Dim>
-Move<Dim> moveOf(const StepFields<Dim>& fields, const ShiftSum<Dim>& sum, const Mat<Dim>& gradU, const Mat<Dim>& gradUOld,
-                 const Vec<Dim>& step, Index i)
+Move<Dim> moveOf(const StepFields<Dim>& fields, const ShiftSum<Dim>& sum, const Mat<Dim>& gradU,
+                 const Mat<Dim>& gradUOld, const Vec<Dim>& step, Index i)
 {
     Move<Dim> move;
     move.step = step;
-    // What the sums make of a linear flow in an uneven packing does not belong to the Laplacian (7.7);
-    // `lopsided` is -T_i.
+    // What the sums make of a linear flow in an uneven packing does not belong to the Laplacian
+    // (7.7); `lopsided` is -T_i.
     Vec<Dim> bend;
     if (isClear(fields, i)) bend = sumOf(sum.bend) + gradU * fields.corrections.lopsided[i];
     for (int d = 0; d < Dim; ++d) {
@@ -220,7 +237,7 @@ struct Step {
     enum Place : int { step = 0, volume = Dim, size = 4 };
 };
 
-/// Mean of d over a particle and its partners.                                              [theory (7.1)]
+/// Mean of d over a particle and its partners.                                       [theory (7.1)]
 template <int Dim>
 Vec<Dim> meanStep(const StepFields<Dim>& fields, const Records<Step<Dim>::size>& steps, Index i)
 {
@@ -239,10 +256,10 @@ Vec<Dim> meanStep(const StepFields<Dim>& fields, const Records<Step<Dim>::size>&
     return mean / (own + sumOf(weight));
 }
 
-/// Moves the particles, and their velocities with the flow field.                            [theory (7.2)]
+/// Moves the particles, and their velocities with the flow field.                    [theory (7.2)]
 template <int Dim>
-void applyMoves(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, const LargeArray<Move<Dim>>& moves,
-                Water<Dim>& water)
+void applyMoves(const Scheme<Dim>& scheme, const StepFields<Dim>& fields,
+                const LargeArray<Move<Dim>>& moves, Water<Dim>& water)
 {
     using S = Step<Dim>;
     const Points<Dim>& points = fields.points;
@@ -291,15 +308,16 @@ Real shift(const Kernel& kernel, const Scheme<Dim>& scheme, Real dt, const StepF
         if (fields.corrections.lambda[i] < kLeastSupport * Dim || inSoil) return;
         const Vec<Dim> step = shiftOf(scheme, dt, fields, sum, i);
         if (normSqr(step) == 0) return;
-        moves[i] = moveOf(fields, sum, gradU, gradientBefore(fields.pairs, neighbours, i, sum) * L, step, i);
+        moves[i] = moveOf(fields, sum, gradU, gradientBefore(fields.pairs, neighbours, i, sum) * L,
+                          step, i);
     });
     if (scheme.shifting != 0) applyMoves(scheme, fields, moves, water);
     return std::sqrt(orderedSum(n, [&](Index i) { return divergence[i]; }) / std::max<Index>(1, n));
 }
 
 template <int Dim>
-void collide(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, Span<const Vec<Dim>> wallNormal,
-             Span<const Real> wallDepth, Water<Dim>& water)
+void collide(const Scheme<Dim>& scheme, const StepFields<Dim>& fields,
+             Span<const Vec<Dim>> wallNormal, Span<const Real> wallDepth, Water<Dim>& water)
 {
     const Points<Dim>& points = fields.points;
     const auto before = fields.pairs.template records<4>();   // velocities
@@ -315,7 +333,8 @@ void collide(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, Span<cons
     parallelForDynamic(points.water, [&](Index i) {
         const Real spacing = scheme.spacing * points.h[i] / scheme.h0;
         const bool surface = fields.role[i] == SurfaceRole::surface;
-        const bool near = fields.pairs.nearest(i) < (surface ? farthest : scheme.collisionDistance) * spacing;
+        const bool near =
+            fields.pairs.nearest(i) < (surface ? farthest : scheme.collisionDistance) * spacing;
         if (!near && fields.pairs.wallNeighbours(i) == 0) return;
         Vec<Dim> change;
         if (near) fields.pairs.forWater(i, [&](const auto& pair) {
@@ -327,7 +346,8 @@ void collide(const Scheme<Dim>& scheme, const StepFields<Dim>& fields, Span<cons
         });
         fields.pairs.forWalls(i, [&](const auto& pair) {
             const Index k = pair.j - points.fluid;
-            const Real height = dot(pair.x_ij, wallNormal[k]) - wallDepth[k];   // above the wall surface
+            // Above the wall surface
+            const Real height = dot(pair.x_ij, wallNormal[k]) - wallDepth[k];
             const Real beside = normSqr(pair.x_ij - dot(pair.x_ij, wallNormal[k]) * wallNormal[k]);
             const Real approach = dot(u(i) + change, wallNormal[k]);
             const Real wallReach = (scheme.collisionDistance - Real(0.25)) * scheme.spacing;
@@ -344,7 +364,9 @@ template Real internalSpeed(const std::vector<Vec<2>>&);
 template Real internalSpeed(const std::vector<Vec<3>>&);
 template Real shift(const Kernel&, const Scheme<2>&, Real, const StepFields<2>&, Water<2>&);
 template Real shift(const Kernel&, const Scheme<3>&, Real, const StepFields<3>&, Water<3>&);
-template void collide(const Scheme<2>&, const StepFields<2>&, Span<const Vec<2>>, Span<const Real>, Water<2>&);
-template void collide(const Scheme<3>&, const StepFields<3>&, Span<const Vec<3>>, Span<const Real>, Water<3>&);
+template void collide(const Scheme<2>&, const StepFields<2>&, Span<const Vec<2>>, Span<const Real>,
+                      Water<2>&);
+template void collide(const Scheme<3>&, const StepFields<3>&, Span<const Vec<3>>, Span<const Real>,
+                      Water<3>&);
 
 }  // namespace isph

@@ -5,7 +5,7 @@
 namespace isph {
 
 /// div v_s of moving grains at a water particle, by the divergence that the water's own flux has:
-///   sum_j V_j (v_s,j - v_s,i).L_i gradW_ij                                              [theory (9.5)]
+///   sum_j V_j (v_s,j - v_s,i).L_i gradW_ij                                          [theory (9.5)]
 /// over water and walls, which stand still: grains that drift along with the water take up no room
 /// then, whatever the kernels are.
 /// out   [1/s], 0 where no grain moves

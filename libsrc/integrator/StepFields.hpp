@@ -9,11 +9,12 @@
 
 namespace isph {
 
-/// What faces of soil ask for, of water and images; empty without soil.            [theory (3.12), (7.6)]
+/// What faces of soil ask for, of water and images; empty without soil.      [theory (3.12), (7.6)]
 template <int Dim>
 struct FaceFields {
     std::vector<Vec<Dim>> v;           ///< extrapolated to the new time [m/s]
-    std::vector<char> carriesDarcy;    ///< whether v, not u, is carried through faces       [theory (3.12)]
+    std::vector<char>
+        carriesDarcy;  ///< whether v, not u, is carried through faces       [theory (3.12)]
     std::vector<Real> viscosity;       ///< [m2/s], 0 away from faces
     std::vector<Mat<Dim>> gradient;    ///< grad v in the zone of the particle [1/s]
 };
@@ -28,7 +29,7 @@ struct StepFields {
     std::vector<Real> resistance;        ///< r_i [1/s], empty without soil
     FaceFields<Dim> face;
     std::vector<Real> eddyViscosity;     ///< nu_T [m2/s], empty when laminar
-    std::vector<Vec<Dim>> v;             ///< Darcy velocity: of the predictor, then of the corrector [m/s]
+    std::vector<Vec<Dim>> v;  ///< Darcy velocity: of the predictor, then of the corrector [m/s]
     std::vector<Real> p;                 ///< p/rho0 of water and images [m2/s2]
 };
 

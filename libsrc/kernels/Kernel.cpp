@@ -43,7 +43,8 @@ Real latticeSum(const Kernel& kernel, int dimension, Real hOverSpacing)
 
 Real latticeSupport(const Kernel& kernel, int dimension, Real hOverSpacing)
 {
-    return overLattice(kernel, dimension, hOverSpacing, [](Real q, Real, Real slope) { return -q * q * slope; });
+    return overLattice(kernel, dimension, hOverSpacing,
+                       [](Real q, Real, Real slope) { return -q * q * slope; });
 }
 
 }  // namespace isph

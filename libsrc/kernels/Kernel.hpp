@@ -22,15 +22,16 @@ public:
     virtual Real supportRadius() const = 0;
     /// sigma_D, so that the integral of W over the support is 1.
     virtual Real normalisation(int dimension) const = 0;
-    /// w[k] = w(q_k) and slope[k] = w'(q_k)/q_k (its limit at q = 0), for q >= 0. Beyond the support
-    /// both are 0.
+    /// w[k] = w(q_k) and slope[k] = w'(q_k)/q_k (its limit at q = 0), for q >= 0. Beyond the
+    /// support both are 0.
     virtual void evaluate(Span<const Real> q, Span<Real> w, Span<Real> slope) const = 0;
 };
 
-/// sum_j d0^D W(x_j, h) over a full lattice of spacing d0 with a point at x = 0, in 2 or 3 dimensions.
+/// sum_j d0^D W(x_j, h) over a full lattice of spacing d0 with a point at x = 0, in 2 or 3
+/// dimensions.
 Real latticeSum(const Kernel& kernel, int dimension, Real hOverSpacing);
 
-/// lambda = -sum V x.gradW over a full lattice, about the dimension.                      [theory (2.7)]
+/// lambda = -sum V x.gradW over a full lattice, about the dimension.                 [theory (2.7)]
 Real latticeSupport(const Kernel& kernel, int dimension, Real hOverSpacing);
 
 }  // namespace isph

@@ -49,7 +49,8 @@ void CellGrid<Dim>::build(Span<const Vec<Dim>> x, Real edge, int slices)
     start_.assign(cells + 2, 0);   // counted one place ahead, so that filling moves it into place
     for (const Index c : cell_) ++start_[c + 2];
     for (Index c = 0; c < cells; ++c) start_[c + 2] += start_[c + 1];
-    for (std::size_t i = 0; i < x.size(); ++i) point_[start_[cell_[i] + 1]++] = static_cast<Index>(i);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        point_[start_[cell_[i] + 1]++] = static_cast<Index>(i);
 }
 
 template class CellGrid<2>;

@@ -9,14 +9,15 @@
 
 namespace isph {
 
-/// Points binned into cells; within a cell they stand in ascending order, so that whatever is summed
-/// over them does not depend on the number of threads.
+/// Points binned into cells; within a cell they stand in ascending order, so that whatever is
+/// summed over them does not depend on the number of threads.
 template <int Dim>
 class CellGrid {
 public:
-    /// Bins the points. Cells are enlarged where the cloud is so wide that they would outnumber it by far.
-    /// Their faces stand at multiples of the edge, so that clouds binned with one edge have one order.
-    /// Along x they are cut into slices, which shortens the runs of forEachRun and lengthens no list of them.
+    /// Bins the points. Cells are enlarged where the cloud is so wide that they would outnumber it
+    /// by far. Their faces stand at multiples of the edge, so that clouds binned with one edge have
+    /// one order. Along x they are cut into slices, which shortens the runs of forEachRun and
+    /// lengthens no list of them.
     void build(Span<const Vec<Dim>> x, Real edge, int slices = 1);
 
     bool empty() const { return point_.empty(); }

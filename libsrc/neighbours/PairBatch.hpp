@@ -10,8 +10,9 @@ namespace isph {
 
 constexpr Index kBatchPairs = 64;
 
-/// Up to kMost pairs of particle i. Places from the last pair up to the next multiple of kLanes hold i
-/// itself with W = slope = 0, so that loops run over whole vectors and sums get nothing from them.
+/// Up to kMost pairs of particle i. Places from the last pair up to the next multiple of kLanes
+/// hold i itself with W = slope = 0, so that loops run over whole vectors and sums get nothing from
+/// them.
 template <int Dim>
 struct PairBatch {
     static constexpr Index kMost = kBatchPairs;

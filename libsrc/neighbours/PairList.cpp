@@ -11,21 +11,23 @@
 namespace isph {
 
 namespace {
-/// Cells as wide as the support hold the points near a particle in 3^(D-1) runs; short ones end them close
-/// to the support, so that a third (2-D: half) of the points looked at are partners.
+/// Cells as wide as the support hold the points near a particle in 3^(D-1) runs; short ones end
+/// them close to the support, so that a third (2-D: half) of the points looked at are partners.
 constexpr int kSlices = 4;
-/// Steps of the cell edge in an octave. A widest h that changes a little leaves the cells, and with them
-/// the order of sorted particles, as they are.
+/// Steps of the cell edge in an octave. A widest h that changes a little leaves the cells, and with
+/// them the order of sorted particles, as they are.
 constexpr Real kEdgeSteps = 4;
 /// More room than a block of rows takes, so that it rarely moves.
 constexpr Real kRoom = 1.02;
-/// Rows with more places out of order than one in this many are sorted as a whole, not place by place.
+/// Rows with more places out of order than one in this many are sorted as a whole, not place by
+/// place.
 constexpr Index kNearlySorted = 8;
 constexpr Real kRounding = 1e-6;   // keeps a distance in single precision below the true one
 
-/// Writes k + l for the lanes l of `a` below zero, as far as that is less than `last`, and the same lanes
-/// of `value`; returns how many. It may touch kLanes places of both.
-Index takeBelowZero(const Lanes& a, Index k, Index last, const Lanes& value, Index* to, Real* valueTo)
+/// Writes k + l for the lanes l of `a` below zero, as far as that is less than `last`, and the same
+/// lanes of `value`; returns how many. It may touch kLanes places of both.
+Index takeBelowZero(const Lanes& a, Index k, Index last, const Lanes& value, Index* to,
+                    Real* valueTo)
 {
 #ifdef __AVX512VL__   // compilers do not make this of the loop below
     const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
@@ -158,7 +160,8 @@ void PairList<Dim>::RowSearch::ascend(Index first, Index last)
         const Index j = j_[k], place = place_[k];
         const Real r2 = r2_[k];
         Index m = k;
-        for (; m > first && j_[m - 1] > j; --m) j_[m] = j_[m - 1], place_[m] = place_[m - 1], r2_[m] = r2_[m - 1];
+        for (; m > first && j_[m - 1] > j; --m)
+            j_[m] = j_[m - 1], place_[m] = place_[m - 1], r2_[m] = r2_[m - 1];
         j_[m] = j, place_[m] = place, r2_[m] = r2;
     }
 }
@@ -250,7 +253,8 @@ void PairList<Dim>::fillBlock(Index b, RowSearch& search)
         const std::size_t begin = block.j.size(), end = begin + search.size();
         if (end > block.j.capacity()) {
             const Real rows = static_cast<Real>(last - first) / static_cast<Real>(i + 1 - first);
-            const auto room = static_cast<std::size_t>(kRoom * rows * static_cast<Real>(end)) + search.size() + kLanes;
+            const auto room = static_cast<std::size_t>(kRoom * rows * static_cast<Real>(end)) +
+                              search.size() + kLanes;
             block.j.reserve(room), block.W.reserve(room), block.slope.reserve(room);
         }
         block.j.resize(end), block.W.resize(end), block.slope.resize(end);

@@ -42,10 +42,11 @@ struct OuterSum {
     }
 };
 
-/// sum_j V_j (u_j - u_i) (x) gradW_ij over water partners; row d is that of component d. Multiplied by
-/// Lwater_i it is the gradient, exact for linear u.                                  [theory (2.10)]
+/// sum_j V_j (u_j - u_i) (x) gradW_ij over water partners; row d is that of component d. Multiplied
+/// by Lwater_i it is the gradient, exact for linear u.                              [theory (2.10)]
 template <int Dim>
-Mat<Dim> pairGradient(const Points<Dim>& points, const PairList<Dim>& pairs, Span<const Vec<Dim>> u, Index i)
+Mat<Dim> pairGradient(const Points<Dim>& points, const PairList<Dim>& pairs, Span<const Vec<Dim>> u,
+                      Index i)
 {
     OuterSum<Dim> sum;
     const Vec<Dim> u_i = u[i];

@@ -8,8 +8,9 @@
 namespace isph {
 
 template <int Dim>
-void strainRate(const Points<Dim>& points, const PairList<Dim>& pairs, const Corrections<Dim>& corrections,
-                Span<const Vec<Dim>> u, std::vector<Real>& rate)
+void strainRate(const Points<Dim>& points, const PairList<Dim>& pairs,
+                const Corrections<Dim>& corrections, Span<const Vec<Dim>> u,
+                std::vector<Real>& rate)
 {
     rate.resize(points.water);
     parallelForDynamic(points.water, [&](Index i) {
@@ -21,7 +22,9 @@ void strainRate(const Points<Dim>& points, const PairList<Dim>& pairs, const Cor
     });
 }
 
-template void strainRate(const Points<2>&, const PairList<2>&, const Corrections<2>&, Span<const Vec<2>>, std::vector<Real>&);
-template void strainRate(const Points<3>&, const PairList<3>&, const Corrections<3>&, Span<const Vec<3>>, std::vector<Real>&);
+template void strainRate(const Points<2>&, const PairList<2>&, const Corrections<2>&,
+                         Span<const Vec<2>>, std::vector<Real>&);
+template void strainRate(const Points<3>&, const PairList<3>&, const Corrections<3>&,
+                         Span<const Vec<3>>, std::vector<Real>&);
 
 }  // namespace isph

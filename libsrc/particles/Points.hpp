@@ -2,8 +2,8 @@
 // The points that pair sums run over, in four ranges:
 //     [ water | images of water | walls | images of walls ]
 //     0       water             fluid                     size()
-// Rows of sums belong to water only; images (periodic ones now, those of other ranks later) are seen
-// as partners.
+// Rows of sums belong to water only; images (periodic ones now, those of other ranks later) are
+// seen as partners.
 #pragma once
 #include "core/Parallel.hpp"
 #include "core/Vec.hpp"
@@ -18,9 +18,10 @@ struct Points {
     Index water = 0;
     Index fluid = 0;
     std::vector<Vec<Dim>> x;
-    std::vector<Real> volume;    ///< m/(eps rho0) of water, that of wall particles if wetted, else 0 [m^D]
+    std::vector<Real>
+        volume;  ///< m/(eps rho0) of water, that of wall particles if wetted, else 0 [m^D]
     std::vector<Real> h;         ///< smoothing length [m]
-    std::vector<Index> owner;    ///< of images: the water or wall number they copy; of others: itself
+    std::vector<Index> owner;  ///< of images: the water or wall number they copy; of others: itself
 
     Index size() const { return static_cast<Index>(x.size()); }
     Index images() const { return fluid - water; }

@@ -35,18 +35,21 @@ struct WaterInSoil {
     const PorousState<Dim>& state;
     Span<const Real> resistance;   ///< r_i = a_i + b_i |v_i|  [1/s]
     Real spacing = 0;              ///< d0 [m]
-    Span<const Vec<Dim>> v{};          ///< extrapolated to the new time [m/s]; empty: nothing carries v through faces
-    Span<const char> carriesDarcy{};   ///< whether a particle does                        [theory (3.12)]
+    Span<const Vec<Dim>>
+        v{};  ///< extrapolated to the new time [m/s]; empty: nothing carries v through faces
+    Span<const char>
+        carriesDarcy{};  ///< whether a particle does                        [theory (3.12)]
 
     Real porosity(Index i) const { return state.porosity[i]; }
     Real sharpPorosity(Index i) const { return state.sharpPorosity[i]; }
     Index zone(Index i) const { return state.zone[i]; }
     bool inSoil(Index i) const { return state.zone[i] != kClearWater; }
-    /// Whether water in soil is another flow than that beside it: it has pores to squeeze through, or drag would stop it
-    /// at this pore velocity [m/s] within ten spacings.                                                    [theory (7.5)]
+    /// Whether water in soil is another flow than that beside it: it has pores to squeeze through,
+    /// or drag would stop it at this pore velocity [m/s] within ten spacings.        [theory (7.5)]
     bool isHeld(Index i, Real speed) const
     {
-        return inSoil(i) && (porosity(i) < Real(0.9) || mobility(i) * resistance[i] * spacing >= Real(0.1) * speed);
+        return inSoil(i) && (porosity(i) < Real(0.9) ||
+                             mobility(i) * resistance[i] * spacing >= Real(0.1) * speed);
     }
     Real mobility(Index i) const { return state.mobility[i]; }
     /// s_i = 1/(1 + k_i dt' r_i), the share of its momentum that drag leaves a particle.
@@ -68,8 +71,9 @@ struct WaterInSoil {
     bool atFace(Index i) const { return state.depth[i] < latticeSpline::kDeep; }
     /// Unit normal of the face between i and j, zero where there is none.
     Vec<Dim> normal(Index i, Index j) const { return unit(state.normal[i] + state.normal[j]); }
-    /// Share of the line from i to j that lies in the soil (or water) of i: a face between two zones cuts it in
-    /// proportion to their depths beneath it. Where one is deeper than the soil sums tell, the line does.  [theory (4.15)]
+    /// Share of the line from i to j that lies in the soil (or water) of i: a face between two
+    /// zones cuts it in proportion to their depths beneath it. Where one is deeper than the soil
+    /// sums tell, the line does.                                                    [theory (4.15)]
     Real weight(Index i, Index j, const Vec<Dim>& x) const
     {
         if (state.zone[i] == state.zone[j]) return Real(0.5);
@@ -78,8 +82,8 @@ struct WaterInSoil {
         const Real across = std::max(both, std::abs(dot(normal(i, j), x)) / spacing);
         return atFace(i) ? a / across : 1 - b / across;
     }
-    /// w.x_ij of a pair as far as its damping acts on it: across a face only the part through it, so that soil is no
-    /// no-slip wall to the water along it.
+    /// w.x_ij of a pair as far as its damping acts on it: across a face only the part through it,
+    /// so that soil is no no-slip wall to the water along it.
     Real damped(Index i, Index j, const Vec<Dim>& w, const Vec<Dim>& x) const
     {
         if (state.zone[i] == state.zone[j]) return dot(w, x);
@@ -88,7 +92,8 @@ struct WaterInSoil {
     }
 
     bool carries(Index i) const { return !v.empty() && carriesDarcy[i]; }
-    /// B_ij, by which p/rho0 of water that flows from i to j falls for its speed in the pores to rise.  [theory (3.13)]
+    /// B_ij, by which p/rho0 of water that flows from i to j falls for its speed in the pores to
+    /// rise.                                                                        [theory (3.13)]
     Real swiftness(Index i, Index j) const
     {
         const Real chi_i = state.inertia[i], chi_j = state.inertia[j];
@@ -98,7 +103,8 @@ struct WaterInSoil {
     }
 
 private:
-    static constexpr Real kSame = 1e-9;   // between two places deep in one soil: rounding of the soil sums
+    // Between two places deep in one soil: rounding of the soil sums
+    static constexpr Real kSame = 1e-9;
 
     Real pairMobility(Index i, Index j) const
     {

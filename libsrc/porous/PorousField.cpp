@@ -12,26 +12,29 @@ namespace {
 constexpr Real kLeastPorosity = 0.02;   // reached only by clumps of released grains
 constexpr Real kLeastOpenSpace = 0.1;   // share of a kernel that is not wall, deep in corners
 
-/// Ranks of the zones by their resistance to 1 mm/s: at a face between two soils the gradient of the rank
-/// is the normal, as that of phi is at a face to water.                                    [theory (4.14)]
+/// Ranks of the zones by their resistance to 1 mm/s: at a face between two soils the gradient of
+/// the rank is the normal, as that of phi is at a face to water.                    [theory (4.14)]
 std::vector<Real> ranksOf(const std::vector<SoilZone>& zones)
 {
     constexpr Real speed = 1e-3, least = 1e-12;
     std::vector<Real> rank;
     for (const SoilZone& zone : zones)
-        rank.push_back(std::log10(std::max(least, zone.resistance.linear + speed * zone.resistance.quadratic)));
+        rank.push_back(std::log10(
+            std::max(least, zone.resistance.linear + speed * zone.resistance.quadratic)));
     const Real lowest = rank.empty() ? 0 : *std::min_element(rank.begin(), rank.end());
     for (Real& r : rank) r += 1 - lowest;
     return rank;
 }
 }  // namespace
 
-std::vector<SoilZone> readZones(const Dictionary& porousZones, const std::vector<std::string>& names)
+std::vector<SoilZone> readZones(const Dictionary& porousZones,
+                                const std::vector<std::string>& names)
 {
     std::vector<SoilZone> zones;
     for (const std::string& name : names) {
         if (!porousZones.found(name))
-            porousZones.fail(name, "The soil zone " + name + " has no entry in constant/porousZones.");
+            porousZones.fail(name,
+                             "The soil zone " + name + " has no entry in constant/porousZones.");
         SoilZone zone;
         zone.name = name;
         zone.model = PorousModel::select(porousZones.subDict(name));
@@ -42,7 +45,8 @@ std::vector<SoilZone> readZones(const Dictionary& porousZones, const std::vector
 }
 
 template <int Dim>
-PorousField<Dim>::PorousField(std::vector<SoilZone> zones, const WallCloud<Dim>& walls, Real spacing)
+PorousField<Dim>::PorousField(std::vector<SoilZone> zones, const WallCloud<Dim>& walls,
+                              Real spacing)
     : zones_(std::move(zones)),
       rank_(ranksOf(zones_)),
       spacing_(spacing),
@@ -109,8 +113,8 @@ struct PorousField<Dim>::Near {
 };
 
 template <int Dim>
-void PorousField<Dim>::gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points, const Vec<Dim>& x,
-                              Near& near) const
+void PorousField<Dim>::gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points,
+                              const Vec<Dim>& x, Near& near) const
 {
     near.k.clear();
     for (int d = 0; d < Dim; ++d) near.r[d].clear();
@@ -125,7 +129,8 @@ void PorousField<Dim>::gather(const CellGrid<Dim>& grid, const std::vector<Vec<D
 }
 
 template <int Dim>
-SoilSums<Dim> PorousField<Dim>::sums(const Vec<Dim>& x, Index except, Near& near, std::vector<Real>& zoneShare) const
+SoilSums<Dim> PorousField<Dim>::sums(const Vec<Dim>& x, Index except, Near& near,
+                                     std::vector<Real>& zoneShare) const
 {
     SoilSums<Dim> s;
     std::fill(zoneShare.begin(), zoneShare.end(), Real(0));
@@ -183,7 +188,8 @@ struct PorousField<Dim>::Place {
 };
 
 template <int Dim>
-auto PorousField<Dim>::placeOf(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare) const -> Place
+auto PorousField<Dim>::placeOf(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare) const
+    -> Place
 {
     const auto most = std::max_element(zoneShare.begin(), zoneShare.end());
     Place place;
@@ -191,7 +197,8 @@ auto PorousField<Dim>::placeOf(const SoilSums<Dim>& s, const std::vector<Real>& 
     place.share = *most / s.open;
     place.zone = *most > s.open - s.share ? place.soil : kClearWater;
     Real moving = s.solid;
-    for (std::size_t z = 0; z < zones_.size(); ++z) moving -= zoneShare[z] * (1 - zones_[z].porosity);
+    for (std::size_t z = 0; z < zones_.size(); ++z)
+        moving -= zoneShare[z] * (1 - zones_[z].porosity);
     const Real intact = place.zone == kClearWater ? 1 : zones_[place.zone].porosity;
     place.sharpPorosity = std::max(kLeastPorosity, intact - moving / s.open);
     return place;
@@ -245,8 +252,10 @@ template <int Dim>
 void PorousField<Dim>::evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state) const
 {
     const std::size_t n = x.size();
-    state.porosity.resize(n), state.sharpPorosity.resize(n), state.share.resize(n), state.zone.resize(n), state.depth.resize(n);
-    state.linear.resize(n), state.quadratic.resize(n), state.mobility.resize(n), state.normal.resize(n);
+    state.porosity.resize(n), state.sharpPorosity.resize(n), state.share.resize(n),
+        state.zone.resize(n), state.depth.resize(n);
+    state.linear.resize(n), state.quadratic.resize(n), state.mobility.resize(n),
+        state.normal.resize(n);
     state.inertia.resize(n);
     state.solidsFlux.resize(anyReleased_ ? n : 0);
 #pragma omp parallel
@@ -255,7 +264,8 @@ void PorousField<Dim>::evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state)
         std::vector<Real> zoneShare(zones_.size());
 #pragma omp for schedule(dynamic, 64)
         for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(n); ++i)
-            setParticle(sums(x[i], -1, near, zoneShare), zoneShare, static_cast<std::size_t>(i), state);
+            setParticle(sums(x[i], -1, near, zoneShare), zoneShare, static_cast<std::size_t>(i),
+                        state);
     }
 }
 

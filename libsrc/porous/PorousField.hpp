@@ -23,24 +23,29 @@ struct SoilZone {
     Resistance resistance;   ///< a, b of the intact soil
 };
 
-/// The zones of constant/porousZones in the order of their names in a soil file; resistances are left
-/// to whoever knows the water.   errors  FatalIOError: a zone has no entry, or a wrong one
-std::vector<SoilZone> readZones(const Dictionary& porousZones, const std::vector<std::string>& names);
+/// The zones of constant/porousZones in the order of their names in a soil file; resistances are
+/// left to whoever knows the water.   errors  FatalIOError: a zone has no entry, or a wrong one
+std::vector<SoilZone> readZones(const Dictionary& porousZones,
+                                const std::vector<std::string>& names);
 
 /// What the soil means to a water particle.
 template <int Dim>
 struct PorousState {
     std::vector<Real> porosity;     ///< eps, 1 in clear water
-    std::vector<Real> sharpPorosity;   ///< with faces as sharp as they are, PorousField::sharpPorosityAt
+    std::vector<Real>
+        sharpPorosity;  ///< with faces as sharp as they are, PorousField::sharpPorosityAt
     std::vector<Real> share;        ///< phi of the bed: 0 in water, 1 in soil
     std::vector<Index> zone;        ///< with the largest share, or kClearWater
     std::vector<Real> depth;        ///< beneath the nearest face of that zone, in d0
     std::vector<Real> linear;       ///< a of the zone [1/s]
     std::vector<Real> quadratic;    ///< b of the zone [1/m]
     std::vector<Real> mobility;     ///< k = eps/C_r(eps)
-    std::vector<Real> inertia;      ///< chi, 0 in clear water                               [theory (3.13)]
-    std::vector<Vec<Dim>> normal;   ///< grad psi, towards the soil that resists more [1/m]; its direction is used
-    std::vector<Vec<Dim>> solidsFlux;   ///< v_s of released soil [m/s]; empty without   [theory (9.5)]
+    std::vector<Real>
+        inertia;  ///< chi, 0 in clear water                               [theory (3.13)]
+    std::vector<Vec<Dim>>
+        normal;  ///< grad psi, towards the soil that resists more [1/m]; its direction is used
+    std::vector<Vec<Dim>>
+        solidsFlux;  ///< v_s of released soil [m/s]; empty without   [theory (9.5)]
 };
 
 /// Sums over soil and walls at a point.
@@ -68,8 +73,8 @@ public:
     /// divided by the share of the kernel that is not wall.
     void evaluate(Span<const Vec<Dim>> x, PorousState<Dim>& state) const;
 
-    /// Porosity at one point with faces as sharp as they are: that of the zone with the largest share, less the
-    /// grains of released soil.
+    /// Porosity at one point with faces as sharp as they are: that of the zone with the largest
+    /// share, less the grains of released soil.
     Real sharpPorosityAt(const Vec<Dim>& x) const;
 
     /// Zone with the largest share at one point, or kClearWater.
@@ -83,13 +88,16 @@ private:
     Place placeOf(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare) const;
     Place placeAt(const Vec<Dim>& x) const;
     struct Near;
-    SoilSums<Dim> sums(const Vec<Dim>& x, Index except, Near& near, std::vector<Real>& zoneShare) const;
-    void gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points, const Vec<Dim>& x, Near& near) const;
+    SoilSums<Dim> sums(const Vec<Dim>& x, Index except, Near& near,
+                       std::vector<Real>& zoneShare) const;
+    void gather(const CellGrid<Dim>& grid, const std::vector<Vec<Dim>>& points, const Vec<Dim>& x,
+                Near& near) const;
     void setParticle(const SoilSums<Dim>& s, const std::vector<Real>& zoneShare, std::size_t i,
                      PorousState<Dim>& state) const;
 
     std::vector<SoilZone> zones_;
-    std::vector<Real> rank_;   ///< of the zones: 1 for the least resistance, +1 for each tenfold of it
+    std::vector<Real>
+        rank_;  ///< of the zones: 1 for the least resistance, +1 for each tenfold of it
     Real spacing_, reach_;
     CellGrid<Dim> soilGrid_, wallGrid_;
     std::vector<Vec<Dim>> wallX_, soilX_, soilU_;

@@ -26,10 +26,14 @@ Real PorousModel::inertiaCoefficient(Real porosity) const
 
 Real PorousModel::inertiaIntegral(Real porosity) const
 {
-    // Gauss's three points over y = 1/eps: exact where C_r is a polynomial of fourth degree in it; (4.2) is linear.
-    const Real middle = (1 / porosity + 1) / 2, half = (1 / porosity - 1) / 2, node = std::sqrt(Real(0.6));
+    // Gauss's three points over y = 1/eps: exact where C_r is a polynomial of fourth degree in it;
+    // (4.2) is linear.
+    const Real middle = (1 / porosity + 1) / 2, half = (1 / porosity - 1) / 2,
+               node = std::sqrt(Real(0.6));
     const auto slope = [&](Real y) { return 2 * y * inertiaCoefficient(1 / y); };
-    return half * (5 * slope(middle - node * half) + 8 * slope(middle) + 5 * slope(middle + node * half)) / 9;
+    return half *
+           (5 * slope(middle - node * half) + 8 * slope(middle) + 5 * slope(middle + node * half)) /
+           9;
 }
 
 Real permeability(const Resistance& r, Real nu)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Resistance of the soil to seepage, a v_D + b |v_D| v_D per unit mass of water.       [theory (4.1)]
+// Resistance of the soil to seepage, a v_D + b |v_D| v_D per unit mass of water.     [theory (4.1)]
 #pragma once
 #include "core/Types.hpp"
 #include "selection/ModelTable.hpp"
@@ -35,8 +35,8 @@ public:
     /// C_r = 1 + 0.34 (1 - eps)/eps, the inertia coefficient.            [theory (4.2), paper (6)]
     virtual Real inertiaCoefficient(Real porosity) const;
 
-    /// chi = integral of C_r d(1/eps^2) from clear water to this porosity: times v^2/2 what a flow v loses of its
-    /// p/rho0 on the way into the pores.                                  [theory (3.13)]
+    /// chi = integral of C_r d(1/eps^2) from clear water to this porosity: times v^2/2 what a flow
+    /// v loses of its p/rho0 on the way into the pores.                             [theory (3.13)]
     Real inertiaIntegral(Real porosity) const;
 
 protected:

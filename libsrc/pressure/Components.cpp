@@ -19,9 +19,9 @@ const FloatingComponents& ComponentFinder::find(const SymmetricMatrix& matrix,
     floating_.row.clear();
     reached_.resize(n);
     parallelFor(n, [&](Index i) { reached_[i] = anchored[i] != 0; });
-    // Two sweeps reach nearly all rows, most of them by the first or second neighbour. Threads sweep
-    // runs of rows of their own first; which rows that reaches depends on them, what all sweeps and
-    // floods find in the end does not.
+    // Two sweeps reach nearly all rows, most of them by the first or second neighbour. Threads
+    // sweep runs of rows of their own first; which rows that reaches depends on them, what all
+    // sweeps and floods find in the end does not.
     const Index runs = n < kSerialRows ? 0 : threadCount();
 #pragma omp parallel for schedule(static, 1)
     for (Index run = 0; run < runs; ++run)

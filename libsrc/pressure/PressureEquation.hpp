@@ -25,21 +25,25 @@ struct PressureSource {
     Span<const Vec<Dim>> forceGradient;   ///< c_i, (s w - v)/beta, at the new time
     Span<const Real> divergence;          ///< wanted divergence of v_D after the step [1/s]
     Vec<Dim> force{};                     ///< g + body force
-    Span<const Real> surfacePressure{};   ///< p/rho0 of surface particles [m2/s2]; empty: 0   [theory (6.9)]
-    Real strongest = 0;                   ///< |c_i| that counts near the surface, if larger than |force|
+    Span<const Real>
+        surfacePressure{};  ///< p/rho0 of surface particles [m2/s2]; empty: 0   [theory (6.9)]
+    Real strongest = 0;     ///< |c_i| that counts near the surface, if larger than |force|
 };
 
-/// Row i, multiplied by V_i so that the matrix is symmetric:                              [theory (5.1)]
-///   sum_j V_j F_ij beta_ij [(p_j - p_i)/rho + B_ij - g.(x_j - x_i)] - beta_i c_i.T_i = D_i - divergence_i
-/// over water partners; walls are left out, which makes them impermeable (natural Neumann condition).
-/// p is known at surface particles. T_i = sum_j V_j F_ij x_ji over water and walls is what the surface cuts
-/// off a support, and the disorder of a packing; the term makes the row exact for a linear pressure, at rest
-/// as in free fall, and for a uniform flow through faces of soil.                               (5.4)
-/// The unknown is p/rho0. B_ij is what the speed in pores takes of it                        (3.13).
+/// Row i, multiplied by V_i so that the matrix is symmetric:                         [theory (5.1)]
+///   sum_j V_j F_ij beta_ij [(p_j - p_i)/rho + B_ij - g.(x_j - x_i)] - beta_i c_i.T_i
+///   = D_i - divergence_i
+/// over water partners; walls are left out, which makes them impermeable (natural Neumann
+/// condition). p is known at surface particles. T_i = sum_j V_j F_ij x_ji over water and walls is
+/// what the surface cuts off a support, and the disorder of a packing; the term makes the row exact
+/// for a linear pressure, at rest as in free fall, and for a uniform flow through faces of soil.
+///                                                                                            (5.4)
+/// The unknown is p/rho0. B_ij is what the speed in pores takes of it
+/// (3.13).
 template <int Dim, class Medium>
-void assemble(const Points<Dim>& points, const PairList<Dim>& pairs, const Corrections<Dim>& corrections,
-              const std::vector<SurfaceRole>& role, const Medium& medium,
-              const PressureSource<Dim>& source, const PressureRows& rows, SymmetricMatrix& matrix,
-              std::vector<Real>& rhs, std::vector<char>& anchored);
+void assemble(const Points<Dim>& points, const PairList<Dim>& pairs,
+              const Corrections<Dim>& corrections, const std::vector<SurfaceRole>& role,
+              const Medium& medium, const PressureSource<Dim>& source, const PressureRows& rows,
+              SymmetricMatrix& matrix, std::vector<Real>& rhs, std::vector<char>& anchored);
 
 }  // namespace isph

@@ -30,8 +30,8 @@ inline constexpr int kAbi = 1;
                                    const std::vector<std::string>& valid, const Dictionary& where,
                                    std::string_view key);
 
-/// <name>Coeffs of `dict`; empty, but so named, where it is absent and none of its keys is required.
-/// Throws FatalIOError where a required sub-dictionary is missing.
+/// <name>Coeffs of `dict`; empty, but so named, where it is absent and none of its keys is
+/// required. Throws FatalIOError where a required sub-dictionary is missing.
 Dictionary modelCoefficients(const Dictionary& dict, const std::string& name, const Schema& keys);
 
 /// What every table shows to those that list models.

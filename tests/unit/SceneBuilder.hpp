@@ -13,8 +13,8 @@
 
 namespace isph {
 
-/// Lattices of water and soil, box walls around a tank. What is not said is as in a case without the
-/// entry; the pressure is solved to 1e-11, so that its tolerance is not what a test measures.
+/// Lattices of water and soil, box walls around a tank. What is not said is as in a case without
+/// the entry; the pressure is solved to 1e-11, so that its tolerance is not what a test measures.
 template <int Dim>
 class SceneBuilder {
 public:
@@ -35,7 +35,8 @@ public:
     {
         return waterCells(min, max, cells(min, max), u);
     }
-    SceneBuilder& waterCells(const Vec<Dim>& min, const Vec<Dim>& max, const Counts& count, const Vec<Dim>& u = {})
+    SceneBuilder& waterCells(const Vec<Dim>& min, const Vec<Dim>& max, const Counts& count,
+                             const Vec<Dim>& u = {})
     {
         for (const Vec<Dim>& x : lattice<Dim>(min, max, count)) particle(x, u);
         return *this;
@@ -44,15 +45,20 @@ public:
     {
         Water<Dim>& w = scene_.water;
         w.id.push_back(static_cast<std::int64_t>(w.size()));
-        w.x.push_back(x), w.u.push_back(u), w.uOld.push_back(u), w.p.push_back(0), w.forceGradient.push_back({});
+        w.x.push_back(x), w.u.push_back(u), w.uOld.push_back(u), w.p.push_back(0),
+            w.forceGradient.push_back({});
         w.forceGradientOld.push_back({});
         return *this;
     }
-    SceneBuilder& shakeWater(Real spacings) { return shake(scene_.water.x, spacings * scene_.scheme.spacing), *this; }
+    SceneBuilder& shakeWater(Real spacings)
+    {
+        return shake(scene_.water.x, spacings * scene_.scheme.spacing), *this;
+    }
 
     /// A tank: five layers of walls around a box, but for what `open` refuses.
-    SceneBuilder& tank(const Vec<Dim>& min, const Vec<Dim>& max,
-                       const std::function<bool(const Vec<Dim>&)>& open = [](const Vec<Dim>&) { return false; })
+    SceneBuilder& tank(
+        const Vec<Dim>& min, const Vec<Dim>& max,
+        const std::function<bool(const Vec<Dim>&)>& open = [](const Vec<Dim>&) { return false; })
     {
         const Real d0 = scene_.scheme.spacing, thick = 5 * d0;
         Vec<Dim> low = min, high = max;
@@ -70,7 +76,8 @@ public:
     {
         return tank(min, max, [=](const Vec<Dim>& x) { return x[Dim - 1] > max[Dim - 1]; });
     }
-    SceneBuilder& periodic(const Vec<Dim>& min, const Vec<Dim>& max, const std::array<bool, Dim>& directions)
+    SceneBuilder& periodic(const Vec<Dim>& min, const Vec<Dim>& max,
+                           const std::array<bool, Dim>& directions)
     {
         scene_.box.min = min, scene_.box.max = max, scene_.box.periodic = directions;
         return *this;
@@ -97,12 +104,15 @@ public:
     Scene<Dim> build(const std::string& kernel = "wendlandC2", const std::string& solver = "PCG")
     {
         scene_.kernel = kernelNamed(kernel);
-        scene_.solver = PressureSolver::select(Dictionary::parse("solver " + solver + "; tolerance 1e-11; maxIter 5000;"));
+        scene_.solver = PressureSolver::select(
+            Dictionary::parse("solver " + solver + "; tolerance 1e-11; maxIter 5000;"));
         scene_.scheme.relaxationTime = relaxationTime_ > 0 ? relaxationTime_ : automaticTime();
-        const Real reach = scene_.kernel->supportRadius() * scene_.scheme.h0 * 2;   // porosities above 1/4
+        // Porosities above 1/4
+        const Real reach = scene_.kernel->supportRadius() * scene_.scheme.h0 * 2;
         scene_.wallCloud = WallCloud<Dim>(scene_.walls, scene_.box, reach);
         if (!zones_.empty()) {
-            for (SoilZone& z : zones_) z.resistance = z.model->resistance(z.porosity, scene_.scheme.viscosity);
+            for (SoilZone& z : zones_)
+                z.resistance = z.model->resistance(z.porosity, scene_.scheme.viscosity);
             scene_.porous = std::make_unique<PorousField<Dim>>(std::move(zones_), scene_.wallCloud,
                                                                scene_.scheme.spacing);
             scene_.porous->place(scene_.soil, scene_.box);
@@ -114,7 +124,8 @@ private:
     Counts cells(const Vec<Dim>& min, const Vec<Dim>& max) const
     {
         Counts count;
-        for (int d = 0; d < Dim; ++d) count[d] = static_cast<int>(std::lround((max[d] - min[d]) / scene_.scheme.spacing));
+        for (int d = 0; d < Dim; ++d)
+            count[d] = static_cast<int>(std::lround((max[d] - min[d]) / scene_.scheme.spacing));
         return count;
     }
     void addWall(const Vec<Dim>& x, const Vec<Dim>& toSurface)
@@ -132,7 +143,8 @@ private:
         if (g == 0 || scene_.water.size() == 0) return scene_.scheme.relaxationTime;
         const Vec<Dim> up = -unit(scene_.scheme.force);
         Real low = std::numeric_limits<Real>::max(), high = -low;
-        for (const Vec<Dim>& x : scene_.water.x) low = std::min(low, dot(x, up)), high = std::max(high, dot(x, up));
+        for (const Vec<Dim>& x : scene_.water.x)
+            low = std::min(low, dot(x, up)), high = std::max(high, dot(x, up));
         return 0.7 * std::sqrt((high - low + scene_.scheme.spacing) / g);
     }
 
@@ -141,7 +153,8 @@ private:
     Real relaxationTime_ = 0;
 };
 
-/// Advances a scene by `steps` equal steps from rest in its history; `each` sees it after every step.
+/// Advances a scene by `steps` equal steps from rest in its history; `each` sees it after every
+/// step.
 template <int Dim>
 StepReport advance(Scene<Dim>& scene, Real dt, int steps,
                    const std::function<void(int, const StepFields<Dim>&)>& each = {})

@@ -30,7 +30,9 @@ FlowView flowView(const Scene<Dim>& scene, const StepFields<Dim>& fields, Real t
             return x;
         };
         const PorousField<Dim>& soil = *scene.porous;
-        view.porosityAt = [&soil, at](const Vector3& place) { return soil.sharpPorosityAt(at(place)); };
+        view.porosityAt = [&soil, at](const Vector3& place) {
+            return soil.sharpPorosityAt(at(place));
+        };
         view.zone.assign(fields.soil.zone.begin(), fields.soil.zone.begin() + n);
         view.zoneAt = [&soil, at](const Vector3& place) { return soil.zoneAt(at(place)); };
     }
@@ -41,7 +43,8 @@ FlowView flowView(const Scene<Dim>& scene, const StepFields<Dim>& fields, Real t
     view.vectors["UDarcy"] = toVectors3(darcy);
     view.wallPosition = toVectors3(scene.wallCloud.x);
     view.wallVolume = scene.wallCloud.volume;
-    for (int d = 0; d < Dim; ++d) view.periodic[static_cast<std::size_t>(d)] = scene.box.periodic[d];
+    for (int d = 0; d < Dim; ++d)
+        view.periodic[static_cast<std::size_t>(d)] = scene.box.periodic[d];
     view.domainMin = toVector3(scene.box.min);
     view.domainMax = toVector3(scene.box.max);
     return view;

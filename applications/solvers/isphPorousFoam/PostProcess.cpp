@@ -34,7 +34,8 @@ int postProcess(const CaseFiles& files, const Dictionary& controlDict, const std
 {
     controlDictKeys().check(controlDict);
     std::vector<TimeFolder> folders = selectTimes(timeFolders(files.caseDir), times);
-    std::sort(folders.begin(), folders.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+    std::sort(folders.begin(), folders.end(),
+              [](const auto& a, const auto& b) { return a.value < b.value; });
     const TimeState first = readTimeState(folders.front());
     FunctionObjectList functions(controlDict, {files.caseDir, folders.front().name,
                                                {first.value, first.deltaT, first.index, true}});

@@ -4,8 +4,9 @@
 
 namespace isph {
 
-/// -postProcess: the function objects of controlDict on time folders that were written, in order, each of
-/// them at each time, whatever their controls say. Nothing is solved. Returns the exit code.
+/// -postProcess: the function objects of controlDict on time folders that were written, in order,
+/// each of them at each time, whatever their controls say. Nothing is solved. Returns the exit
+/// code.
 /// times  as selectTimes reads them
 template <int Dim>
 int postProcess(const CaseFiles& files, const Dictionary& controlDict, const std::string& times);

@@ -14,7 +14,8 @@ namespace {
 
 Dictionary readOptional(const std::filesystem::path& file)
 {
-    return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary::parse("", file.string());
+    return std::filesystem::exists(file) ? Dictionary::read(file)
+                                         : Dictionary::parse("", file.string());
 }
 
 template <int Dim>
@@ -50,8 +51,8 @@ Real extentAlong(const Water<Dim>& water, const Vec<Dim>& direction)
     return high - low;
 }
 
-/// Extent along g (without gravity the largest) and largest speed of the water at hand, and the properties of
-/// the dictionaries.
+/// Extent along g (without gravity the largest) and largest speed of the water at hand, and the
+/// properties of the dictionaries.
 template <int Dim>
 WaterProperties waterProperties(const CaseFiles& files, const Water<Dim>& water)
 {
@@ -76,10 +77,12 @@ WaterProperties waterProperties(const CaseFiles& files, const Water<Dim>& water)
 
 /// Depth at the start of the case, also when the run goes on from a later time.
 template <int Dim>
-WaterProperties propertiesAtStart(const CaseFiles& files, const TimeFolder& start, const Water<Dim>& now)
+WaterProperties propertiesAtStart(const CaseFiles& files, const TimeFolder& start,
+                                  const Water<Dim>& now)
 {
     const std::vector<TimeFolder> folders = timeFolders(files.caseDir);
-    if (start.value == 0 || folders.empty() || folders.front().value != 0) return waterProperties(files, now);
+    if (start.value == 0 || folders.empty() || folders.front().value != 0)
+        return waterProperties(files, now);
     Scene<Dim> first;
     takeParticles(readTimeFolder(folders.front()), first);
     return waterProperties(files, first.water);
@@ -91,7 +94,8 @@ void readSoil(const CaseFiles& files, Scene<Dim>& scene)
 {
     if (scene.soil.size() == 0) return;
     std::vector<SoilZone> zones = readZones(files.porousZones, scene.soil.names);
-    for (SoilZone& zone : zones) zone.resistance = zone.model->resistance(zone.porosity, scene.scheme.viscosity);
+    for (SoilZone& zone : zones)
+        zone.resistance = zone.model->resistance(zone.porosity, scene.scheme.viscosity);
     scene.porous = std::make_unique<PorousField<Dim>>(std::move(zones), scene.wallCloud,
                                                       scene.scheme.spacing);
     scene.porous->place(scene.soil, scene.box);
@@ -103,39 +107,48 @@ Real leastPorosity(const CaseFiles& files, const Soil<Dim>& soil)
     Real least = 1;
     for (const std::string& name : soil.names)
         if (files.porousZones.found(name))
-            least = std::min(least, PorousModel::select(files.porousZones.subDict(name))->porosity());
+            least =
+                std::min(least, PorousModel::select(files.porousZones.subDict(name))->porosity());
     return least;
 }
 
 /// A wall may move along itself alone: its particles stay where they are.
 template <int Dim>
-void requireAlongItself(const Dictionary& condition, const WallCloud<Dim>& walls, std::int64_t wall, const Vec<Dim>& velocity)
+void requireAlongItself(const Dictionary& condition, const WallCloud<Dim>& walls, std::int64_t wall,
+                        const Vec<Dim>& velocity)
 {
     Real across = 0, count = 0;
     for (std::size_t k = 0; k < walls.size(); ++k)
         if (walls.wall[k] == wall) across += std::abs(dot(velocity, walls.normal[k])), count += 1;
     if (across > 0.2 * count * norm(velocity))   // corners have normals of their own
-        condition.fail("velocity", "The velocity of a wall lies along its surface; walls that move through the water are not built.");
+        condition.fail("velocity",
+                       "The velocity of a wall lies along its surface; walls that move through the "
+                       "water are not built.");
 }
 
 /// Walls with friction, and their velocities, told to the wall cloud.
 template <int Dim>
-void readFriction(const CaseFiles& files, const std::vector<std::string>& names, WallCloud<Dim>& walls)
+void readFriction(const CaseFiles& files, const std::vector<std::string>& names,
+                  WallCloud<Dim>& walls)
 {
     if (!files.boundaries.found("walls")) return;
     const Dictionary& conditions = files.boundaries.subDict("walls");
     for (const std::string& name : conditions.keywords()) {
         const auto it = std::find(names.begin(), names.end(), name);
         if (it == names.end())
-            conditions.fail(name, "There is no wall " + name + ". Walls of this case:\n" + listOf(names));
+            conditions.fail(name,
+                            "There is no wall " + name + ". Walls of this case:\n" + listOf(names));
         const Dictionary& condition = conditions.subDict(name);
         wallConditionKeys().check(condition);
         const std::string kind = wallConditionKeys().get<std::string>(condition, "condition");
         if (kind == "slip" && condition.found("velocity"))
-            condition.fail("velocity", "A wall that slips drags no water along: condition noSlip or wallLaw belongs to a velocity.");
+            condition.fail("velocity",
+                           "A wall that slips drags no water along: condition noSlip or wallLaw "
+                           "belongs to a velocity.");
         if (kind == "slip") continue;
         if (kind == "wallLaw" && readProjection(files.schemes) == Projection::paper)
-            condition.fail("condition", "The paper's projection has no wall law: condition slip or noSlip.");
+            condition.fail("condition",
+                           "The paper's projection has no wall law: condition slip or noSlip.");
         auto& marked = kind == "noSlip" ? walls.noSlip : walls.wallLaw;
         marked.resize(walls.size()), walls.velocity.resize(walls.size());
         const std::int64_t wall = it - names.begin();
@@ -181,7 +194,8 @@ Scene<Dim> readScene(const CaseFiles& files, const TimeFolder& start)
     const Real spacing = particlesKeys().get<Real>(files.particles, "spacing");
     for (const auto& part : parts) requireSameCase(part.second, spacing, Dim);
     takeParticles(parts, scene);
-    if (scene.water.size() == 0) throw FatalIOError("There is no water.", (start.path / "water.vtp").string(), 0);
+    if (scene.water.size() == 0)
+        throw FatalIOError("There is no water.", (start.path / "water.vtp").string(), 0);
     scene.scheme = readScheme<Dim>(files.schemes, propertiesAtStart(files, start, scene.water));
     Dictionary choice = files.schemes;
     if (!choice.found("kernel")) choice.set("kernel", "wendlandC2");
@@ -189,7 +203,8 @@ Scene<Dim> readScene(const CaseFiles& files, const TimeFolder& start)
     scene.box = readBox<Dim>(files);
     if (readTimeState(start).index == 0) requireApart(scene, start.path / "water.vtp");
     const Real porosity = scene.soil.size() > 0 ? leastPorosity(files, scene.soil) : 1;
-    const Real reach = scene.kernel->supportRadius() * scene.scheme.h0 / std::pow(porosity, Real(1) / Dim);
+    const Real reach =
+        scene.kernel->supportRadius() * scene.scheme.h0 / std::pow(porosity, Real(1) / Dim);
     scene.wallCloud = WallCloud<Dim>(scene.walls, scene.box, reach + scene.scheme.spacing);
     readFriction(files, scene.walls.names, scene.wallCloud);
     readSoil(files, scene);

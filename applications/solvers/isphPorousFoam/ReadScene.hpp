@@ -14,7 +14,8 @@ struct CaseFiles {
     explicit CaseFiles(const std::filesystem::path& caseDir);
 
     std::filesystem::path caseDir;
-    Dictionary particles, boundaries, gravity, transport, porousZones, turbulence, erosion, schemes, solution;
+    Dictionary particles, boundaries, gravity, transport, porousZones, turbulence, erosion, schemes,
+        solution;
     bool hasErosion = false;
     int dimension() const;
 };

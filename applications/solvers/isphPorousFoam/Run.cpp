@@ -25,7 +25,8 @@ namespace {
 constexpr int kSortInterval = 20;
 
 template <int Dim>
-std::unique_ptr<ProjectionStep<Dim>> makeStep(const CaseFiles& files, Scene<Dim>& scene, Timers& timers)
+std::unique_ptr<ProjectionStep<Dim>> makeStep(const CaseFiles& files, Scene<Dim>& scene,
+                                              Timers& timers)
 {
     if (readProjection(files.schemes) == Projection::paper)
         return std::make_unique<PaperStep<Dim>>(scene, readPaperDrag(files.schemes), timers);
@@ -36,12 +37,15 @@ template <int Dim>
 class Run {
 public:
     Run(const CaseFiles& files, const Dictionary& controlDict, const RunOptions& options)
-        : start_(startFolder(controlDict, files.caseDir)), scene_(readScene<Dim>(files, start_)),
-          time_(controlDict, files.caseDir, readTimeState(start_)), step_(makeStep(files, scene_, timers_)),
+        : start_(startFolder(controlDict, files.caseDir)),
+          scene_(readScene<Dim>(files, start_)),
+          time_(controlDict, files.caseDir, readTimeState(start_)),
+          step_(makeStep(files, scene_, timers_)),
           writer_(files.caseDir)
     {
         if (options.functionObjects)
-            functions_ = FunctionObjectList(controlDict, {files.caseDir, time_.name(), time_.instant()});
+            functions_ =
+                FunctionObjectList(controlDict, {files.caseDir, time_.name(), time_.instant()});
         measures_ = options.functionObjects;
         functions_.meet(time_);
         readErosion(files);
@@ -63,24 +67,28 @@ public:
             measure();
         }
         if (time_.exitCode() == 0 && functions_.dueAtEnd(time_.instant())) execute();
-        const Real particleSteps = Real(time_.index() - firstIndex) * static_cast<Real>(scene_.water.size());
+        const Real particleSteps =
+            Real(time_.index() - firstIndex) * static_cast<Real>(scene_.water.size());
         logTimings(timers_, scene_.water.size(), particleSteps, wallSeconds() - wallStart);
         const int code = time_.exitCode();
         if (code == 0) info("End\n");
-        else info("Stopped at time {} by signal {}; started again, it goes on from there\n", time_.name(), code - 128);
+        else
+            info("Stopped at time {} by signal {}; started again, it goes on from there\n",
+                 time_.name(), code - 128);
         return code;
     }
 
 private:
-    /// Function objects that were edited in controlDict while the run goes on; with an error in them
-    /// the ones before the change stay.
+    /// Function objects that were edited in controlDict while the run goes on; with an error in
+    /// them the ones before the change stay.
     void followControlDict()
     {
         if (time_.rereads() == rereads_) return;
         rereads_ = time_.rereads();
         if (!measures_) return;
         try {
-            functions_.reread(time_.controlDict(), {time_.caseDir(), time_.name(), time_.instant()});
+            functions_.reread(time_.controlDict(),
+                              {time_.caseDir(), time_.name(), time_.instant()});
             functions_.meet(time_);
         } catch (const FatalError& error) {
             warning("{}\nthe function objects before the change stay", error.what());
@@ -90,14 +98,17 @@ private:
     void advance()
     {
         const Real dtOld = time_.index() > 0 ? time_.deltaT() : 0;
-        const CourantNumber perTime = courantRate(scene_.scheme, scene_.water, step_->fields().soil.porosity);
+        const CourantNumber perTime =
+            courantRate(scene_.scheme, scene_.water, step_->fields().soil.porosity);
         const auto& eddyViscosity = step_->fields().eddyViscosity;
         if (!courantAtStart_) courantAtStart_ = perTime.max;
         if (time_.adjustTimeStep())
-            time_.setDeltaT(stepSize<Dim>(scene_.scheme, time_.maxCo(), time_.maxDeltaT(), time_.controlDeltaT(), dtOld,
-                                          perTime.max, eddyViscosity, *courantAtStart_));
+            time_.setDeltaT(stepSize<Dim>(scene_.scheme, time_.maxCo(), time_.maxDeltaT(),
+                                          time_.controlDeltaT(), dtOld, perTime.max, eddyViscosity,
+                                          *courantAtStart_));
         time_.advance();
-        if (!time_.adjustTimeStep()) requireStableStep<Dim>(scene_.scheme, time_.deltaT(), perTime.max, eddyViscosity);
+        if (!time_.adjustTimeStep())
+            requireStableStep<Dim>(scene_.scheme, time_.deltaT(), perTime.max, eddyViscosity);
         logStepStart(time_, perTime.mean * time_.deltaT(), perTime.max * time_.deltaT());
         if (time_.index() % kSortInterval == 0) sort();
         const StepReport report = step_->advance(time_.deltaT(), dtOld);
@@ -110,7 +121,8 @@ private:
     {
         if (!files.hasErosion) return;
         if (!scene_.porous)
-            files.erosion.fail("erosionModel", "There is no soil in this case that could be eroded.");
+            files.erosion.fail("erosionModel",
+                               "There is no soil in this case that could be eroded.");
         erosion_.emplace(ErosionModel::select(files.erosion), scene_.scheme.spacing);
     }
 
@@ -120,8 +132,8 @@ private:
         const StepFields<Dim>& fields = step_->fields();
         const Scheme<Dim>& scheme = scene_.scheme;
         const ErosionReport report = erosion_->advance(
-            {fields.pairs.grid(), fields.points, scene_.water.u, fields.soil.porosity, scheme.density,
-             scheme.viscosity, scheme.force},
+            {fields.pairs.grid(), fields.points, scene_.water.u, fields.soil.porosity,
+             scheme.density, scheme.viscosity, scheme.force},
             *scene_.porous, scene_.box, time_.deltaT(), scene_.soil);
         if (report.moving > 0) scene_.porous->place(scene_.soil, scene_.box);
         info("Erosion: {} particles released, {} released so far", report.released, report.moving);
@@ -170,7 +182,8 @@ private:
     FunctionObjectList functions_;
     std::optional<Erosion<Dim>> erosion_;   ///< only where the case has constant/erosionProperties
     StepLog log_;
-    std::optional<Real> courantAtStart_;    ///< spacings per second of the fastest water, at the start of the run
+    std::optional<Real>
+        courantAtStart_;  ///< spacings per second of the fastest water, at the start of the run
     bool measures_ = true;
     int rereads_ = 0;   ///< of controlDict, that the function objects have followed
 };

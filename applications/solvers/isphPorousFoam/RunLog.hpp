@@ -15,8 +15,8 @@ void logScene(const CaseFiles& files, const Scene<Dim>& scene);
 /// "Courant Number mean: a max: b", "deltaT = ...", "Time = 0.05s" at the beginning of a step.
 void logStepStart(const Time& time, Real meanCo, Real maxCo);
 
-/// Solver, continuity and volume errors, progress, ExecutionTime at its end. Warns of a pressure that
-/// did not converge; throws FatalError at the twentieth in a row.
+/// Solver, continuity and volume errors, progress, ExecutionTime at its end. Warns of a pressure
+/// that did not converge; throws FatalError at the twentieth in a row.
 class StepLog {
 public:
     StepLog();

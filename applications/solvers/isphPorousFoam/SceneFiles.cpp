@@ -12,7 +12,8 @@ template <int Dim>
 void takeParticles(const std::map<std::string, ParticleFile>& files, Scene<Dim>& scene)
 {
     scene.water = waterOf<Dim>(files.at("water"));
-    if (const auto it = files.find("walls"); it != files.end()) scene.walls = wallsOf<Dim>(it->second);
+    if (const auto it = files.find("walls"); it != files.end())
+        scene.walls = wallsOf<Dim>(it->second);
     if (const auto it = files.find("soil"); it != files.end()) scene.soil = soilOf<Dim>(it->second);
 }
 
@@ -32,9 +33,11 @@ void requireApart(const Scene<Dim>& scene, const std::filesystem::path& file)
     for (std::size_t i = 0; i < other.size(); ++i)
         if (other[i] >= 0)
             throw FatalIOError(
-                fmt::format("The water particles {} and {} at ({:g}) are {:.3g} m apart, less than a tenth of the spacing, and would "
+                fmt::format("The water particles {} and {} at ({:g}) are {:.3g} m apart, less than "
+                            "a tenth of the spacing, and would "
                             "stay together as one: move one of them, or run createParticles again.",
-                            water.id[i], water.id[other[i]], fmt::join(water.x[i].c, " "), norm(water.x[i] - water.x[other[i]])),
+                            water.id[i], water.id[other[i]], fmt::join(water.x[i].c, " "),
+                            norm(water.x[i] - water.x[other[i]])),
                 file.string(), 0);
 }
 
@@ -52,7 +55,8 @@ ParticleFile waterFile(const Scene<Dim>& scene, const StepFields<Dim>& fields)
     ParticleFile file = fileOf(scene.water, scene.scheme.spacing);
     file.scalars["p"] = pressure(scene, fields);
     const auto& eps = fields.soil.porosity;
-    file.scalars["porosity"].assign(eps.begin(), eps.begin() + static_cast<std::ptrdiff_t>(scene.water.size()));
+    file.scalars["porosity"].assign(eps.begin(),
+                                    eps.begin() + static_cast<std::ptrdiff_t>(scene.water.size()));
     if (scene.porous) {
         std::vector<Vec<Dim>> darcy(scene.water.u);
         for (std::size_t i = 0; i < darcy.size(); ++i) darcy[i] *= eps[i];
@@ -71,8 +75,10 @@ std::vector<Real> pressure(const Scene<Dim>& scene, const StepFields<Dim>& field
     if (scheme.surfaceCarries || g == 0) return p;
     if (std::find(role.begin(), role.end(), SurfaceRole::surface) == role.end()) return p;
     parallelFor(p.size(), [&](Index i) {
-        const bool held = scene.porous && fields.soil.zone[i] != kClearWater;   // soil holds its water against falling
-        const Real carried = norm(scene.water.forceGradient[i] + scheme.force) / g;   // |grad p|/(rho |f|)
+        // Soil holds its water against falling
+        const bool held = scene.porous && fields.soil.zone[i] != kClearWater;
+        // |grad p|/(rho |f|)
+        const Real carried = norm(scene.water.forceGradient[i] + scheme.force) / g;
         p[i] += surface * (held ? 1 : std::min(Real(1), carried));
     });
     return p;

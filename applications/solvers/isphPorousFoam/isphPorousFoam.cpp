@@ -35,26 +35,33 @@ void requirePostProcess(const CommandLine& line)
 {
     for (const char* option : {"time", "latestTime"})
         if (line.has(option) && !line.has("postProcess"))
-            throw FatalError(fmt::format("The option -{} belongs to -postProcess; a run starts where startFrom in "
-                                         "system/controlDict says.", option));
-    if (line.has("time") && line.has("latestTime")) throw FatalError("Give -time or -latestTime, not both.");
+            throw FatalError(fmt::format(
+                "The option -{} belongs to -postProcess; a run starts where startFrom in "
+                "system/controlDict says.",
+                option));
+    if (line.has("time") && line.has("latestTime"))
+        throw FatalError("Give -time or -latestTime, not both.");
 }
 
 void loadCaseLibraries(const Dictionary& controlDict)
 {
     if (!controlDict.found("libs")) return;
-    for (const std::string& name : controlDict.get<std::vector<std::string>>("libs")) loadLibrary(name);
+    for (const std::string& name : controlDict.get<std::vector<std::string>>("libs"))
+        loadLibrary(name);
 }
 
 int run(int argc, char** argv)
 {
-    CommandLine line("isphPorousFoam", "Free-surface flow, seepage and scour by incompressible SPH.");
+    CommandLine line("isphPorousFoam",
+                     "Free-surface flow, seepage and scour by incompressible SPH.");
     line.flag("dryRun", "read and check everything, print what is active and left out, and end");
-    line.flag("postProcess", "run the function objects over the time folders that are there, and end");
-    line.option("time", "times", "times of -postProcess: '0.35,0.75', ranges '0.5:1' (default: all)");
+    line.flag("postProcess",
+              "run the function objects over the time folders that are there, and end");
+    line.option("time", "times",
+                "times of -postProcess: '0.35,0.75', ranges '0.5:1' (default: all)");
     line.flag("latestTime", "of -postProcess: only the latest time");
-    for (const char* family : {"Kernels", "PorousModels", "ErosionModels", "TurbulenceModels", "PressureSolvers",
-                               "FunctionObjects"})
+    for (const char* family : {"Kernels", "PorousModels", "ErosionModels", "TurbulenceModels",
+                               "PressureSolvers", "FunctionObjects"})
         line.flag(std::string("list") + family, "print the names that may be chosen");
     if (const auto exitCode = line.parse(argc, argv)) return *exitCode;
     if (listModels(line)) return 0;
@@ -71,7 +78,8 @@ int run(int argc, char** argv)
                                       : postProcess<3>(files, controlDict, times);
     }
     const RunOptions options{line.functionObjects(), line.has("dryRun")};
-    return files.dimension() == 2 ? runCase<2>(files, controlDict, options) : runCase<3>(files, controlDict, options);
+    return files.dimension() == 2 ? runCase<2>(files, controlDict, options)
+                                  : runCase<3>(files, controlDict, options);
 }
 
 }  // namespace

@@ -18,7 +18,9 @@ void expectRolesOfAFlatTank(Scene<Dim> scene, Real level)
     for (std::size_t i = 0; i < scene.water.size(); ++i) {
         const int row = static_cast<int>(level - scene.water.x[i][Dim - 1]);   // 0: the top
         const SurfaceRole role = step.fields().role[i];
-        EXPECT_EQ(role, row == 0 ? SurfaceRole::surface : row <= 2 ? SurfaceRole::near : SurfaceRole::inner)
+        EXPECT_EQ(role, row == 0   ? SurfaceRole::surface
+                        : row <= 2 ? SurfaceRole::near
+                                   : SurfaceRole::inner)
             << "row " << row << ", lambda " << step.fields().corrections.lambda[i];
         ++count[static_cast<int>(role)];
     }
@@ -36,9 +38,13 @@ TEST(FreeSurface, OfAFlatTankIsItsTopRowAlsoAtTheWalls)
 TEST(FreeSurface, OfAPeriodicTankIsItsTopRow)
 {
     expectRolesOfAFlatTank<2>(
-        SceneBuilder<2>(1).water({0, 0}, {12, 8})
-            .tank({0, 0}, {12, 12}, [](const Vec<2>& x) { return x[1] > 0 || x[0] < 0 || x[0] > 12; })
-            .periodic({0, 0}, {12, 12}, {true, false}).build(), 8);
+        SceneBuilder<2>(1)
+            .water({0, 0}, {12, 8})
+            .tank({0, 0}, {12, 12},
+                  [](const Vec<2>& x) { return x[1] > 0 || x[0] < 0 || x[0] > 12; })
+            .periodic({0, 0}, {12, 12}, {true, false})
+            .build(),
+        8);
 }
 
 TEST(FreeSurface, IsNotFoundInAFullBox)
@@ -52,14 +58,16 @@ TEST(FreeSurface, IsNotFoundInAFullBox)
 
 TEST(FreeSurface, IsAllOfASpray)
 {
-    Scene<3> scene = SceneBuilder<3>(1).particle({0, 0, 0}).particle({1, 0, 0}).particle({9, 0, 0}).build();
+    Scene<3> scene =
+        SceneBuilder<3>(1).particle({0, 0, 0}).particle({1, 0, 0}).particle({9, 0, 0}).build();
     Timers timers;
     DragImplicitStep<3> step(scene, timers);
     step.look();
     for (const SurfaceRole role : step.fields().role) EXPECT_EQ(role, SurfaceRole::surface);
 }
 
-/// A block of 7^Dim particles whose middle one of the upper side is pushed down by a share of the spacing.
+/// A block of 7^Dim particles whose middle one of the upper side is pushed down by a share of the
+/// spacing.
 template <int Dim>
 void expectDepth(Real depth)
 {
@@ -77,7 +85,8 @@ void expectDepth(Real depth)
     step.look();
     const Real lambda = step.fields().corrections.lambda[middle];
     // From 0 exact; the rise slackens as the particle sinks.
-    EXPECT_NEAR((lambda - flat.lambda) / flat.rise, depth, 1e-6 + 0.6 * sqr(depth)) << Dim << " dimensions";
+    EXPECT_NEAR((lambda - flat.lambda) / flat.rise, depth, 1e-6 + 0.6 * sqr(depth))
+        << Dim << " dimensions";
 }
 
 TEST(FreeSurface, TellsTheDepthOfAParticleBelowItsFirstRow)
@@ -85,7 +94,8 @@ TEST(FreeSurface, TellsTheDepthOfAParticleBelowItsFirstRow)
     for (const Real depth : {0.0, 0.1, 0.3}) expectDepth<2>(depth), expectDepth<3>(depth);
 }
 
-/// How lambda of the first row of a tank answers when the water is drawn out along the surface by `along`.
+/// How lambda of the first row of a tank answers when the water is drawn out along the surface by
+/// `along`.
 template <int Dim>
 Real lambdaOfStretched(Real along, const FlatSurface& flat)
 {
@@ -106,10 +116,13 @@ template <int Dim>
 void expectThickening()
 {
     Scene<Dim> scene = SceneBuilder<Dim>(1).particle({}).build();
-    const FlatSurface flat = latticeSurface(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing);
+    const FlatSurface flat =
+        latticeSurface(*scene.kernel, Dim, scene.scheme.h0 / scene.scheme.spacing);
     // Half a spacing above the centres is 1/0.99 and 1/1.01 times as high.
     const Real higher = 0.5 / 0.99 - 0.5 / 1.01;
-    EXPECT_NEAR(lambdaOfStretched<Dim>(0.99, flat) - lambdaOfStretched<Dim>(1.01, flat), higher, 1e-3 * higher) << Dim;
+    EXPECT_NEAR(lambdaOfStretched<Dim>(0.99, flat) - lambdaOfStretched<Dim>(1.01, flat), higher,
+                1e-3 * higher)
+        << Dim;
 }
 
 TEST(FreeSurface, TellsHowMuchHigherTheWaterAboveACompressedRowIs)
@@ -119,8 +132,10 @@ TEST(FreeSurface, TellsHowMuchHigherTheWaterAboveACompressedRowIs)
 
 constexpr FlatSurface kFlat{1.2, 0.6, 0.5};
 
-/// p/rho0 of surface particles in a row, 2 apart, with these lambda, one normal and one force at the new time.
-std::vector<Real> pressuresAtSurface(const std::vector<Real>& lambda, const Vec<2>& normal, const Vec<2>& forceGradient)
+/// p/rho0 of surface particles in a row, 2 apart, with these lambda, one normal and one force at
+/// the new time.
+std::vector<Real> pressuresAtSurface(const std::vector<Real>& lambda, const Vec<2>& normal,
+                                     const Vec<2>& forceGradient)
 {
     const std::size_t n = lambda.size();
     const Scene<2> scene = SceneBuilder<2>(1).particle({0, 0}).build();   // for its kernel
@@ -138,7 +153,8 @@ std::vector<Real> pressuresAtSurface(const std::vector<Real>& lambda, const Vec<
     corrections.lambda = lambda;
     corrections.lopsided.assign(n, normal);
     std::vector<Real> p;
-    surfacePressure<2>(kFlat, 1 / 1.5, points, pairs, corrections, std::vector<SurfaceRole>(n, SurfaceRole::surface),
+    surfacePressure<2>(kFlat, 1 / 1.5, points, pairs, corrections,
+                       std::vector<SurfaceRole>(n, SurfaceRole::surface),
                        std::vector<Vec<2>>(n, forceGradient), {0, -10}, p);
     return p;
 }
@@ -155,7 +171,8 @@ TEST(FreeSurface, CarriesTheWaterAboveTheCentresOfItsParticles)
     EXPECT_DOUBLE_EQ(pressureAtSurface(1.45, up, still), 20);      // another half spacing deep
     EXPECT_EQ(pressureAtSurface(0.9, up, still), 0);               // a crest
     EXPECT_EQ(pressureAtSurface(1.5, up, falls), 0);               // in free fall
-    EXPECT_DOUBLE_EQ(pressureAtSurface(1.2, down, still), -10);    // what hangs from water pulls at it
+    EXPECT_DOUBLE_EQ(pressureAtSurface(1.2, down, still),
+                     -10);  // what hangs from water pulls at it
     EXPECT_EQ(pressureAtSurface(1.5, aside, still), 0);
     EXPECT_DOUBLE_EQ(pressureAtSurface(1.2, up, {0, -5}), 15);     // thrown up, as at an impact
 }

@@ -91,7 +91,8 @@ void expectImagesToStandForTheNearestCopies(int n, const std::array<bool, Dim>& 
     for (Vec<Dim>& x : water.x) x = box.wrap(x);
     water.resize(water.x.size());
     std::vector<Real> porosity(water.size());
-    for (std::size_t i = 0; i < porosity.size(); ++i) porosity[i] = 0.5 + 0.5 * static_cast<Real>(i % 7) / 6;
+    for (std::size_t i = 0; i < porosity.size(); ++i)
+        porosity[i] = 0.5 + 0.5 * static_cast<Real>(i % 7) / 6;
     Points<Dim> points;
     const Real h0 = 1, support = 2;
     layPoints<Dim>(water, porosity, WallCloud<Dim>{}, box, 1, h0, support, points);
@@ -101,7 +102,8 @@ void expectImagesToStandForTheNearestCopies(int n, const std::array<bool, Dim>& 
         std::multiset<Index> found, expected;
         pairs.forAll(i, [&](const auto& pair) { found.insert(points.owner[pair.j]); });
         for (Index j = 0; j < points.water; ++j)
-            if (j != i && nearestCopy(box, water.x[i], water.x[j]) < support * (points.h[i] + points.h[j]) / 2)
+            if (j != i && nearestCopy(box, water.x[i], water.x[j]) <
+                              support * (points.h[i] + points.h[j]) / 2)
                 expected.insert(j);
         ASSERT_EQ(found, expected) << "particle " << i;
     }

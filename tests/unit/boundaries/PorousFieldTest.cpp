@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Porosity and drag at points in, at and above soil.                              [theory (4.10)-(4.15)]
+// Porosity and drag at points in, at and above soil.                         [theory (4.10)-(4.15)]
 #include "../SceneBuilder.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,8 @@ void expectTheZonesValues(const Scene<Dim>& scene, const PorousState<Dim>& state
     EXPECT_NEAR(state.share[i], 1, exact);
     EXPECT_NEAR(state.linear[i] / zone.resistance.linear, 1, exact);
     EXPECT_NEAR(state.quadratic[i] / zone.resistance.quadratic, 1, exact);
-    EXPECT_NEAR(state.mobility[i], zone.porosity / (1 + 0.34 * (1 - zone.porosity) / zone.porosity), exact);
+    EXPECT_NEAR(state.mobility[i], zone.porosity / (1 + 0.34 * (1 - zone.porosity) / zone.porosity),
+                exact);
 }
 
 TEST(PorousField, OnTheSoilLatticeHasTheZonesPorosityAndDrag)
@@ -74,7 +75,8 @@ TEST(PorousField, SoilGoesOnThroughAPeriodicSide)
 TEST(PorousField, ClearWaterIsClearBeyondTheReachOfTheSoil)
 {
     const auto scene = SceneBuilder<2>(1).soil({0, 0}, {12, 6}, sand(0.4, 0.001)).build();
-    const PorousState<2> state = stateAt<2>(scene, {{6, 9}});   // 3.5 d0 above the last particle, reach 3 d0
+    const PorousState<2> state =
+        stateAt<2>(scene, {{6, 9}});  // 3.5 d0 above the last particle, reach 3 d0
     EXPECT_EQ(state.porosity[0], 1);
     EXPECT_EQ(state.share[0], 0);
     EXPECT_EQ(state.linear[0], 0);
@@ -115,11 +117,13 @@ TEST(PorousField, TellsTheDepthBeneathTheNearestFace)
     const auto scene = SceneBuilder<2>(1).soil({0, 0}, {14, 6}, sand(0.3, 0.001))
                            .soil({0, 6}, {14, 12}, sand(0.5, 0.01)).build();
     std::vector<Vec<2>> x;
-    for (int k = 0; k < 100; ++k) x.push_back({6.3 + 0.01 * k, 4.03 + 0.1 * k});   // across both faces, to 13.93
+    for (int k = 0; k < 100; ++k)
+        x.push_back({6.3 + 0.01 * k, 4.03 + 0.1 * k});  // across both faces, to 13.93
     const PorousState<2> state = stateAt(scene, x);
     for (std::size_t i = 0; i < x.size(); ++i) {
         const Real depth = std::min({std::abs(x[i][1] - 6), std::abs(x[i][1] - 12), 2.0});
-        EXPECT_NEAR(state.depth[i], depth, 1e-9) << "at " << x[i][1];   // round-off over the slope there, 1e-3
+        EXPECT_NEAR(state.depth[i], depth, 1e-9)
+            << "at " << x[i][1];  // round-off over the slope there, 1e-3
     }
 }
 
@@ -161,9 +165,11 @@ TEST(PorousField, SharpPorosityIsThatOfTheZoneLessTheGrainsThatMove)
     EXPECT_NEAR(scene.porous->sharpPorosityAt({6.3, 6.1}), 0.5, exact);
     EXPECT_NEAR(scene.porous->sharpPorosityAt({6.3, 9.9}), 0.5, exact);
     EXPECT_NEAR(scene.porous->sharpPorosityAt({6.3, 10.1}), 1, exact);
-    for (std::size_t k = 0; k < scene.soil.size(); ++k) scene.soil.released[k] = scene.soil.x[k][1] > 6;
+    for (std::size_t k = 0; k < scene.soil.size(); ++k)
+        scene.soil.released[k] = scene.soil.x[k][1] > 6;
     scene.porous->place(scene.soil, scene.box);
-    EXPECT_NEAR(scene.porous->sharpPorosityAt({6.3, 8}), 1 - 0.5 * 0.99948, 1e-4);   // 2 d0 from both ends of the grains
+    EXPECT_NEAR(scene.porous->sharpPorosityAt({6.3, 8}), 1 - 0.5 * 0.99948,
+                1e-4);  // 2 d0 from both ends of the grains
 }
 
 TEST(PorousField, ReleasedGrainsFillSpaceButResistNoMore)

@@ -41,14 +41,17 @@ TEST(Walls, CountWhereWaterTouchesThemAndNowhereElse)
     EXPECT_GT(dry, 0);
 }
 
-/// Theory (6.5): the marker stands at 0.5; wet through at a distance of 0.65, dry from 0.95 on. The one column of
-/// walls beneath the particle has five layers.
+/// Theory (6.5): the marker stands at 0.5; wet through at a distance of 0.65, dry from 0.95 on. The
+/// one column of walls beneath the particle has five layers.
 TEST(Walls, AreWettedByDegrees)
 {
-    for (const auto& [height, wet] : {std::pair{1.15, 1.0}, std::pair{1.3, 0.5}, std::pair{1.46, 0.0}}) {
-        Scene<2> scene = SceneBuilder<2>(1).particle({5.5, height}).openTank({0, 0}, {12, 12}).build();
+    for (const auto& [height, wet] :
+         {std::pair{1.15, 1.0}, std::pair{1.3, 0.5}, std::pair{1.46, 0.0}}) {
+        Scene<2> scene =
+            SceneBuilder<2>(1).particle({5.5, height}).openTank({0, 0}, {12, 12}).build();
         const Points<2> points = laid(scene);
-        const Real volume = orderedSum(scene.wallCloud.size(), [&](Index k) { return points.volume[1 + k]; });
+        const Real volume =
+            orderedSum(scene.wallCloud.size(), [&](Index k) { return points.volume[1 + k]; });
         EXPECT_NEAR(volume, 5 * wet, 1e-12) << height;
     }
 }
@@ -84,7 +87,8 @@ TEST(WallGuard, PutsBackWhatSankIntoAWallAndLeavesTheRest)
 {
     const Scene<2> scene = halfFullTank();
     const WallGuard<2> guard(scene.wallCloud, 1);
-    std::vector<Vec<2>> x = {{6.5, -0.3}, {6.5, 0.05}, {6.5, 0.5}, {-0.2, 4.5}, {12.4, 4.5}, {6, 6}};
+    std::vector<Vec<2>> x = {{6.5, -0.3}, {6.5, 0.05}, {6.5, 0.5},
+                             {-0.2, 4.5}, {12.4, 4.5}, {6, 6}};
     EXPECT_EQ(guard.keepOut(x), 4);
     EXPECT_NEAR(x[0][1], 0.1, 1e-14);      // a tenth of a spacing   [theory (6.6)]
     EXPECT_EQ(x[0][0], 6.5);
@@ -95,7 +99,8 @@ TEST(WallGuard, PutsBackWhatSankIntoAWallAndLeavesTheRest)
     EXPECT_EQ(x[5], (Vec<2>{6, 6}));
 }
 
-/// Two walls from the origin on, the first along y, the second turned from it by `degrees`; water between them.
+/// Two walls from the origin on, the first along y, the second turned from it by `degrees`; water
+/// between them.
 struct Corner {
     explicit Corner(Real degrees)
     {
@@ -131,7 +136,8 @@ TEST(WallGuard, LeadsOutOfOneWallButNotIntoTheOther)
     for (std::size_t i = 0; i < x.size(); ++i) {
         EXPECT_NEAR(dot(x[i], wedge.normal[0]), dot(x[i], wedge.normal[1]), 1e-14);
         EXPECT_GT(dot(x[i], wedge.normal[0]), 0.07);
-        EXPECT_LT(norm(x[i] - before[i]), 0.16);   // across the wedge, not up to where it is wide enough
+        EXPECT_LT(norm(x[i] - before[i]),
+                  0.16);  // across the wedge, not up to where it is wide enough
     }
 }
 

@@ -110,7 +110,8 @@ TEST_F(Compare, ASeriesIsCutToItsTimesAndPooledOverColumns)
 TEST_F(Compare, AReferenceThatBeganLaterIsFoundWithinTheGivenDelay)
 {
     writeText("late.csv", "t,speed\n1.25,-3\n2.25,2\n");
-    const std::string options = "-name v -bound 0.1 -series speed.dat -column maxSpeed -reference late.csv -measure rms";
+    const std::string options =
+        "-name v -bound 0.1 -series speed.dat -column maxSpeed -reference late.csv -measure rms";
     EXPECT_EQ(run(options).code, 1);
     const Outcome found = run(options + " -delay 0.5");
     EXPECT_EQ(found.code, 0);
@@ -130,11 +131,13 @@ TEST_F(Compare, ASeriesIsHeldAgainstAReferenceAtItsTimes)
 
 TEST_F(Compare, ABandLeavesOutWhatLiesWithinIt)
 {
-    // The speed falls to -3 at 1 s and rises to 2 at 2 s: 5 m/s in a second; the band is -2 to 0, then 1 to 3.
+    // The speed falls to -3 at 1 s and rises to 2 at 2 s: 5 m/s in a second; the band is -2 to 0,
+    // then 1 to 3.
     writeText("band.csv", "t,speed,low,high\n1,-1,-2,0\n1.5,-1,-2,0\n1.500001,2,1,3\n2,2,1,3\n");
     const Expectation band{0, folder_ / "band.csv", true};
     const std::vector<Sample> all = samples(series("maxSpeed"), band);
-    // Outside until -2 is reached at 1.2 s, within until 1.5 s, outside until 1 is reached at 1.8 s.
+    // Outside until -2 is reached at 1.2 s, within until 1.5 s, outside until 1 is reached at 1.8
+    // s.
     EXPECT_NEAR(measure("outside", all), 50, 0.2);
     EXPECT_NEAR(measure("max", all), 1.5, 0.01);
     Source late = series("maxSpeed");

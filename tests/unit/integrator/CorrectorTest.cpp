@@ -17,8 +17,8 @@ struct OpenStep : DragImplicitStep<3> {
     StepFields<3>& open() { return this->ProjectionStep<3>::fields_; }
 };
 
-/// A pool 6 deep in which one particle of the second row has risen: the force on it beyond gravity, with the
-/// pressure of water at rest and a surplus of its own.
+/// A pool 6 deep in which one particle of the second row has risen: the force on it beyond gravity,
+/// with the pressure of water at rest and a surplus of its own.
 Vec<3> forceOnRisen(Real rise, Real surplus)
 {
     SceneBuilder<3> builder(1);
@@ -38,7 +38,8 @@ Vec<3> forceOnRisen(Real rise, Real surplus)
     fields.p.assign(n, 0), fields.v.assign(n, Vec<3>{});
     for (std::size_t i = 0; i < n; ++i) fields.p[i] = dot(scene.scheme.force, fields.points.x[i]);
     const auto at = static_cast<std::size_t>(
-        std::find(fields.points.x.begin(), fields.points.x.end(), x[risen]) - fields.points.x.begin());
+        std::find(fields.points.x.begin(), fields.points.x.end(), x[risen]) -
+        fields.points.x.begin());
     fields.p[at] += surplus;
     EXPECT_EQ(fields.role[at], SurfaceRole::near);
     correct(ClearWater<3>{kDt}, scene.scheme, fields, scene.water);
@@ -47,7 +48,8 @@ Vec<3> forceOnRisen(Real rise, Real surplus)
 
 TEST(Corrector, WhatRisesBeneathTheSurfaceIsNotDrawnUpByItsOwnPressure)
 {
-    // A tenth of a spacing of water too little; with its own pressure it is drawn up with 2 % of gravity.
+    // A tenth of a spacing of water too little; with its own pressure it is drawn up with 2 % of
+    // gravity.
     EXPECT_NEAR(norm(forceOnRisen(0.5, -0.981)), 0, 1e-12);
     EXPECT_NEAR(norm(forceOnRisen(0.5, 0)), 0, 1e-12);
 }

@@ -13,9 +13,14 @@ namespace {
 class EvenSoil {
 public:
     explicit EvenSoil(Real shaken)
-        : scene_(SceneBuilder<2>(d0).force({}).waterCells({0, 0}, {L, L}, {12, 12}).shakeWater(shaken)
-                     .soil({0, 0}, {L, L}, "porousModel darcy; darcyCoeffs { porosity 0.25; K 1e-9; }")
-                     .periodic({0, 0}, {L, L}, {true, true}).build()),
+        : scene_(
+              SceneBuilder<2>(d0)
+                  .force({})
+                  .waterCells({0, 0}, {L, L}, {12, 12})
+                  .shakeWater(shaken)
+                  .soil({0, 0}, {L, L}, "porousModel darcy; darcyCoeffs { porosity 0.25; K 1e-9; }")
+                  .periodic({0, 0}, {L, L}, {true, true})
+                  .build()),
           step_(scene_, timers_)
     {
         step_.look();
@@ -24,10 +29,13 @@ public:
     LargeArray<Real> surplus(bool asDisorder, Real ownShare = 1)
     {
         const StepFields<2>& fields = step_.fields();
-        const LatticeSums lattice{latticeSum(*scene_.kernel, 2, 1.5), latticeSupport(*scene_.kernel, 2, 1.5)};
+        const LatticeSums lattice{latticeSum(*scene_.kernel, 2, 1.5),
+                                  latticeSupport(*scene_.kernel, 2, 1.5)};
         const std::vector<Real> resistance(fields.points.fluid, 0);
         LargeArray<Real> surplus;
-        if (asDisorder) fillingSurplus(fields, WaterInSoil<2>{1, fields.soil, resistance, d0}, lattice, ownShare, surplus);
+        if (asDisorder)
+            fillingSurplus(fields, WaterInSoil<2>{1, fields.soil, resistance, d0}, lattice,
+                           ownShare, surplus);
         else fillingSurplus(fields, ClearWater<2>{1}, lattice, ownShare, surplus);
         return surplus;
     }
@@ -41,12 +49,14 @@ private:
 
 Real mean(const LargeArray<Real>& values)
 {
-    return orderedSum(values.size(), [&](Index i) { return values[i]; }) / static_cast<Real>(values.size());
+    return orderedSum(values.size(), [&](Index i) { return values[i]; }) /
+           static_cast<Real>(values.size());
 }
 Real scatter(const LargeArray<Real>& values)
 {
     const Real middle = mean(values);
-    return std::sqrt(orderedSum(values.size(), [&](Index i) { return sqr(values[i] - middle); }) / static_cast<Real>(values.size()));
+    return std::sqrt(orderedSum(values.size(), [&](Index i) { return sqr(values[i] - middle); }) /
+                     static_cast<Real>(values.size()));
 }
 Real meanSurplus(Real shaken, bool asDisorder)
 {
@@ -61,8 +71,8 @@ TEST(Filling, ALatticeHasNoSurplus)
 
 TEST(Filling, DisorderInSoilIsHardlyTakenForASurplus)
 {
-    // A shaken packing fills as much space as the lattice that it was. Sums at its own particles find more, for each
-    // has itself at the centre.
+    // A shaken packing fills as much space as the lattice that it was. Sums at its own particles
+    // find more, for each has itself at the centre.
     const Real seen = meanSurplus(0.4, false);
     EXPECT_GT(seen, 0.005);
     EXPECT_LT(std::abs(meanSurplus(0.4, true)), 0.5 * seen);
@@ -70,8 +80,8 @@ TEST(Filling, DisorderInSoilIsHardlyTakenForASurplus)
 
 TEST(Filling, WhereWaterHardlyMovesInAStepItsPackingIsRepairedAsAWhole)
 {
-    // What a particle has more than its surroundings no pressure removes. Its kernel's mean leaves the surplus of the
-    // packing as it is, but for particles that count in more means than others.
+    // What a particle has more than its surroundings no pressure removes. Its kernel's mean leaves
+    // the surplus of the packing as it is, but for particles that count in more means than others.
     EvenSoil soil(0.2);
     const LargeArray<Real> own = soil.surplus(true, 1), shared = soil.surplus(true, 0);
     EXPECT_LT(scatter(shared), 0.5 * scatter(own));

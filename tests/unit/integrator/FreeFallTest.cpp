@@ -32,8 +32,8 @@ Vec<Dim> centre(const std::vector<Vec<Dim>>& x)
     return sum / static_cast<Real>(x.size());
 }
 
-/// A drop falls as a body, keeps its shape and has no pressure. (1e-5 d0, 1e-6 of rho g R; the way 0.1 %,
-/// for the first step is Euler's)
+/// A drop falls as a body, keeps its shape and has no pressure. (1e-5 d0, 1e-6 of rho g R; the way
+/// 0.1 %, for the first step is Euler's)
 template <int Dim>
 void expectAFall(Scene<Dim> scene, Real R)
 {
@@ -75,7 +75,8 @@ TEST(FreeFall, ASingleParticleFallsExactly)
 TEST(FreeFall, ADropKeepsItsSidewaysSpeed)
 {
     Scene<2> scene = drop<2>(0.005, 6);
-    for (std::size_t i = 0; i < scene.water.size(); ++i) scene.water.u[i] = scene.water.uOld[i] = {2, 1};
+    for (std::size_t i = 0; i < scene.water.size(); ++i)
+        scene.water.u[i] = scene.water.uOld[i] = {2, 1};
     const Vec<2> before = centre(scene.water.x);
     advance(scene, dt, steps);
     const Real t = steps * dt;

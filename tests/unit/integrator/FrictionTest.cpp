@@ -36,14 +36,16 @@ struct Predicted {
             scene.water.porosityOld = scene.water.porosity;
             carryThroughFaces(scene.water, kStep, fields());
         }
-        if (scene.porous) in(scene, WaterInSoil<2>{kStep.dtPrime(), fields().soil, noDrag, scene.scheme.spacing});
+        if (scene.porous)
+            in(scene, WaterInSoil<2>{kStep.dtPrime(), fields().soil, noDrag, scene.scheme.spacing});
         else in(scene, ClearWater<2>{kStep.dtPrime()});
     }
     template <class Medium>
     void in(const Scene<2>& scene, const Medium& medium)
     {
         predict(scene.water, scene.wallCloud, medium, scene.scheme, kStep, fields());
-        if constexpr (Medium::hasSoil) filterAtFaces(scene.water, medium, scene.scheme, kStep, fields());
+        if constexpr (Medium::hasSoil)
+            filterAtFaces(scene.water, medium, scene.scheme, kStep, fields());
     }
     StepFields<2>& fields() { return step.open(); }
 
@@ -51,17 +53,24 @@ struct Predicted {
     OpenStep step;
 };
 
-/// Error of the friction of a shear wave of `length` spacings in a periodic square, of its amplitude: root
-/// mean square over the particles. Spacing and viscosity are 1.
+/// Error of the friction of a shear wave of `length` spacings in a periodic square, of its
+/// amplitude: root mean square over the particles. Spacing and viscosity are 1.
 Real frictionError(int length, Real shaken, Real dissipation = 0, Real stretched = 1)
 {
     const Real L = length, k = 2 * kPi / L;
-    const std::array<int, 2> cells{static_cast<int>(std::lround(L / stretched)), static_cast<int>(std::lround(L * stretched))};
-    Scene<2> scene = SceneBuilder<2>(1).viscosity(1).force({}).waterCells({0, 0}, {L, L}, cells).shakeWater(shaken)
-                         .periodic({0, 0}, {L, L}, {true, true}).build();
+    const std::array<int, 2> cells{static_cast<int>(std::lround(L / stretched)),
+                                   static_cast<int>(std::lround(L * stretched))};
+    Scene<2> scene = SceneBuilder<2>(1)
+                         .viscosity(1)
+                         .force({})
+                         .waterCells({0, 0}, {L, L}, cells)
+                         .shakeWater(shaken)
+                         .periodic({0, 0}, {L, L}, {true, true})
+                         .build();
     scene.scheme.dissipation = dissipation;
     Water<2>& water = scene.water;
-    for (std::size_t i = 0; i < water.size(); ++i) water.u[i] = water.uOld[i] = {std::sin(k * water.x[i][1]), 0};
+    for (std::size_t i = 0; i < water.size(); ++i)
+        water.u[i] = water.uOld[i] = {std::sin(k * water.x[i][1]), 0};
     Predicted predicted(scene);
     const StepFields<2>& fields = predicted.fields();
     Real sum = 0;
@@ -90,15 +99,21 @@ TEST(Friction, OfAPackingThatTheFlowHasDrawnOutIsIsotropic)
     EXPECT_LT(frictionError(40, 0, 0, 1.25), 5e-3);   // without second moments 10 %
 }
 
-/// Water at y < 20, soil of porosity 1/4 above, both shaken; v_x = y/1000, so slow that noise is filtered, with a uniform
-/// stress. Largest friction within 12 spacings of the face over nu v'/d0.
+/// Water at y < 20, soil of porosity 1/4 above, both shaken; v_x = y/1000, so slow that noise is
+/// filtered, with a uniform stress. Largest friction within 12 spacings of the face over nu v'/d0.
 Real frictionOfUniformStress(Real shaken)
 {
     const Real eps = 0.25, face = 20, shear = 1e-3;
-    Scene<2> scene = SceneBuilder<2>(1).viscosity(1).force({}).water({0, 0}, {20, face})
-                         .waterCells({0, face}, {20, 40}, {10, 10}).shakeWater(shaken)
-                         .soil({0, face}, {20, 40}, "porousModel darcy; darcyCoeffs { porosity 0.25; K 1; }")
-                         .periodic({0, 0}, {20, 40}, {true, true}).build();
+    Scene<2> scene =
+        SceneBuilder<2>(1)
+            .viscosity(1)
+            .force({})
+            .water({0, 0}, {20, face})
+            .waterCells({0, face}, {20, 40}, {10, 10})
+            .shakeWater(shaken)
+            .soil({0, face}, {20, 40}, "porousModel darcy; darcyCoeffs { porosity 0.25; K 1; }")
+            .periodic({0, 0}, {20, 40}, {true, true})
+            .build();
     scene.scheme.dissipation = 0;
     Water<2>& water = scene.water;
     PorousState<2> state;
@@ -120,17 +135,22 @@ Real frictionOfUniformStress(Real shaken)
 
 TEST(Friction, OfAUniformStressThroughAFaceIsNone)
 {
-    // Media in series: v has a kink at the face. With the mean of both viscosities 0.13 and 0.18, with nu
-    // grad v in place of the stress 0.04 and 0.08.
+    // Media in series: v has a kink at the face. With the mean of both viscosities 0.13 and 0.18,
+    // with nu grad v in place of the stress 0.04 and 0.08.
     EXPECT_LT(frictionOfUniformStress(0), 1e-6);
     EXPECT_LT(frictionOfUniformStress(0.1), 1e-6);
 }
 
-/// Change of the velocity of water at rest but for one particle, where passes before have left no numbers behind.
+/// Change of the velocity of water at rest but for one particle, where passes before have left no
+/// numbers behind.
 Real changeAfterNoNumbers(Real viscosity, Real eddyViscosity)
 {
-    Scene<2> scene = SceneBuilder<2>(1).viscosity(viscosity).force({}).waterCells({0, 0}, {20, 20}, {20, 20})
-                         .periodic({0, 0}, {20, 20}, {true, true}).build();
+    Scene<2> scene = SceneBuilder<2>(1)
+                         .viscosity(viscosity)
+                         .force({})
+                         .waterCells({0, 0}, {20, 20}, {20, 20})
+                         .periodic({0, 0}, {20, 20}, {true, true})
+                         .build();
     scene.scheme.dissipation = 0;
     scene.water.u[210] = scene.water.uOld[210] = {1, 0};
     Timers timers;
@@ -141,7 +161,8 @@ Real changeAfterNoNumbers(Real viscosity, Real eddyViscosity)
     constexpr int size = 16;
     const auto left = fields.pairs.records<size>();
     std::fill_n(left[0], size * fields.points.fluid, std::numeric_limits<Real>::quiet_NaN());
-    predict(scene.water, scene.wallCloud, ClearWater<2>{kStep.dtPrime()}, scene.scheme, kStep, fields);
+    predict(scene.water, scene.wallCloud, ClearWater<2>{kStep.dtPrime()}, scene.scheme, kStep,
+            fields);
     return norm(fields.v[210] - scene.water.u[210]);
 }
 
@@ -156,7 +177,8 @@ TEST(Friction, OfEddiesAloneIsThatOfAsMuchViscosity)
     EXPECT_EQ(changeAfterNoNumbers(0, 1e-3), changeAfterNoNumbers(1e-3, 0));
 }
 
-/// Largest change of velocity that dissipation makes in a step of a drop that a smooth flow strains.
+/// Largest change of velocity that dissipation makes in a step of a drop that a smooth flow
+/// strains.
 Real lossOfStrainedDrop(bool wholeAtSurface)
 {
     SceneBuilder<2> builder(1);
@@ -166,11 +188,13 @@ Real lossOfStrainedDrop(bool wholeAtSurface)
     scene.scheme.dissipation = 16;
     scene.scheme.wholeAtSurface = wholeAtSurface;
     Water<2>& water = scene.water;
-    for (std::size_t i = 0; i < water.size(); ++i) water.u[i] = water.uOld[i] = {-water.x[i][0], water.x[i][1]};
+    for (std::size_t i = 0; i < water.size(); ++i)
+        water.u[i] = water.uOld[i] = {-water.x[i][0], water.x[i][1]};
     Predicted predicted(scene);
     const StepFields<2>& fields = predicted.fields();
     Real most = 0;
-    for (std::size_t i = 0; i < water.size(); ++i) most = std::max(most, norm(fields.v[i] - water.u[i]));
+    for (std::size_t i = 0; i < water.size(); ++i)
+        most = std::max(most, norm(fields.v[i] - water.u[i]));
     return most;
 }
 
@@ -186,8 +210,8 @@ TEST(Dissipation, LeavesToFrictionWhatItDoesByItself)
     EXPECT_EQ(frictionError(32, 0, 1), frictionError(32, 0, 0));
 }
 
-/// Share of its energy that dissipation takes in a step from a periodic square of 20 spacings: a shear wave of unit speed
-/// times `wave` with random velocities up to `noise`. Spacing 1.
+/// Share of its energy that dissipation takes in a step from a periodic square of 20 spacings: a
+/// shear wave of unit speed times `wave` with random velocities up to `noise`. Spacing 1.
 Real lossOf(Real wave, Real noise, Real nu)
 {
     constexpr Real L = 20, k = 2 * kPi / L;
@@ -221,16 +245,22 @@ TEST(Dissipation, TakesNoiseHoweverViscousTheWaterIs)
     EXPECT_GT(lossOf(0, 1, 0.1), 0.01);
 }
 
-/// The force per area that a wall law takes from a uniform stream of `speed` over it, over the density: the loss of
-/// momentum of all water. Spacing 1; the stream is 10 deep and 12 long. The wall moves along itself.
-Real dragOfStream(Real speed, Real nu, Real shaken, const Vec<2>& wallVelocity = {}, Real sinking = 0,
-                  Real lowered = 0)
+/// The force per area that a wall law takes from a uniform stream of `speed` over it, over the
+/// density: the loss of momentum of all water. Spacing 1; the stream is 10 deep and 12 long. The
+/// wall moves along itself.
+Real dragOfStream(Real speed, Real nu, Real shaken, const Vec<2>& wallVelocity = {},
+                  Real sinking = 0, Real lowered = 0)
 {
     constexpr Real L = 12, depth = 10;
     SceneBuilder<2> builder(1);
-    Scene<2> scene = builder.viscosity(nu).force({}).water({0, 0}, {L, depth}, {speed, -sinking}).shakeWater(shaken)
-                         .tank({0, 0}, {L, 2 * depth}, [](const Vec<2>& x) { return x[1] > 0 || x[0] < 0 || x[0] > L; })
-                         .periodic({0, 0}, {L, 2 * depth}, {true, false}).build();
+    Scene<2> scene = builder.viscosity(nu)
+                         .force({})
+                         .water({0, 0}, {L, depth}, {speed, -sinking})
+                         .shakeWater(shaken)
+                         .tank({0, 0}, {L, 2 * depth},
+                               [](const Vec<2>& x) { return x[1] > 0 || x[0] < 0 || x[0] > L; })
+                         .periodic({0, 0}, {L, 2 * depth}, {true, false})
+                         .build();
     for (Vec<2>& x : scene.water.x) x[1] -= lowered;
     WallCloud<2>& walls = scene.wallCloud;
     walls.wallLaw.assign(walls.size(), 1), walls.velocity.assign(walls.size(), wallVelocity);
@@ -266,7 +296,8 @@ TEST(WallLaw, TakesItWhereverTheParticlesOfTheLayerStand)
 {
     const Real still = dragOfStream(1, 1e-5, 0);
     EXPECT_NEAR(dragOfStream(1, 1e-5, 0.2) / still, 1, 0.05);
-    EXPECT_NEAR(dragOfStream(1, 1e-5, 0, {}, 0, 0.2) / still, 1, 1e-10);   // the stress of half a spacing
+    EXPECT_NEAR(dragOfStream(1, 1e-5, 0, {}, 0, 0.2) / still, 1,
+                1e-10);  // the stress of half a spacing
 }
 
 TEST(WallLaw, IsThatOfTheSpeedAlongTheWallRelativeToIt)

@@ -12,7 +12,8 @@
 
 namespace {
 
-/// Live allocations by address, while `counts`. Plain storage: the hooks must not allocate through themselves.
+/// Live allocations by address, while `counts`. Plain storage: the hooks must not allocate through
+/// themselves.
 template <class T>
 struct Mallocator {
     using value_type = T;
@@ -24,7 +25,8 @@ struct Mallocator {
     template <class U>
     bool operator==(const Mallocator<U>&) const { return true; }
 };
-using Live = std::map<void*, std::size_t, std::less<>, Mallocator<std::pair<void* const, std::size_t>>>;
+using Live =
+    std::map<void*, std::size_t, std::less<>, Mallocator<std::pair<void* const, std::size_t>>>;
 Live& live()
 {
     static Live* const all = new (std::malloc(sizeof(Live))) Live;
@@ -62,8 +64,9 @@ using namespace isph;
 
 namespace {
 
-/// Live blocks of whole bytes a particle, by that number, after a few steps of a tank: 37 x 23, so that the rows are
-/// not as many, and more wall than water, so that arrays over both have no room to spare.
+/// Live blocks of whole bytes a particle, by that number, after a few steps of a tank: 37 x 23, so
+/// that the rows are not as many, and more wall than water, so that arrays over both have no room
+/// to spare.
 template <int Dim>
 std::map<std::size_t, int> arraysOf(const std::function<void(SceneBuilder<Dim>&)>& more = {})
 {
@@ -101,18 +104,23 @@ using Arrays = std::map<std::size_t, int>;
 TEST(LeftOut, TheArraysOfClearWaterAreThese)
 {
     const Arrays expected{
-        {1, 1},    // role
-        {4, 2},    // row of the pressure equation; place among the corrections of few particles
-        {8, 8},    // p [Pa], id; porosity (1), p/rho, filling, lambda, lambda of water alone, divergence wanted
-        {16, 8},   // x, u, uOld, (grad p)/rho - g and the mean of the past ones; v, lopsided; the row of the pair list: where its pairs stand
-        {24, 1},   // L: symmetric, three numbers; L of water alone and L A of few particles
+        {1, 1},  // role
+        {4, 2},  // row of the pressure equation; place among the corrections of few particles
+        // p [Pa], id; porosity (1), p/rho, filling, lambda, lambda of water alone,
+        // divergence wanted
+        {8, 8},
+        // x, u, uOld, (grad p)/rho - g and the mean of the past ones; v, lopsided; the row of the
+        // pair list: where its pairs stand
+        {16, 8},
+        {24, 1},  // L: symmetric, three numbers; L of water alone and L A of few particles
     };
     EXPECT_EQ(arraysOf<2>(), expected);
 }
 
 TEST(LeftOut, InTwoDimensionsNothingHasAZ)
 {
-    // Vectors have 16 and 24 bytes, symmetric matrices 24 and 48; a row of the pair list has 16 in both.
+    // Vectors have 16 and 24 bytes, symmetric matrices 24 and 48; a row of the pair list has 16 in
+    // both.
     const Arrays flat = arraysOf<2>(), deep = arraysOf<3>();
     EXPECT_EQ(flat.at(16), deep.at(24) + 1);
     EXPECT_EQ(flat.at(24), deep.at(48));
@@ -122,11 +130,14 @@ TEST(LeftOut, InTwoDimensionsNothingHasAZ)
 
 TEST(LeftOut, SoilBringsItsArraysWithIt)
 {
-    // In a corner that no water reaches: share, depth, sharp porosity, a, b, mobility, inertia, resistance, viscosity of
-    // the filter, the porosities of u and uOld; normal and extrapolated velocity; velocity gradient.
-    const Arrays clear = arraysOf<2>(), wet = arraysOf<2>([](SceneBuilder<2>& builder) {
-        builder.soil({0.3, 0.8}, {0.37, 0.85}, "porousModel akbari; akbariCoeffs { porosity 0.4; D50 0.01; }");
-    });
+    // In a corner that no water reaches: share, depth, sharp porosity, a, b, mobility, inertia,
+    // resistance, viscosity of the filter, the porosities of u and uOld; normal and extrapolated
+    // velocity; velocity gradient.
+    const Arrays clear = arraysOf<2>(),
+                 wet = arraysOf<2>([](SceneBuilder<2>&builder) {
+                     builder.soil({0.3, 0.8}, {0.37, 0.85},
+                                  "porousModel akbari; akbariCoeffs { porosity 0.4; D50 0.01; }");
+                 });
     EXPECT_EQ(wet.at(8), clear.at(8) + 11);
     EXPECT_EQ(wet.at(16), clear.at(16) + 2);
     EXPECT_EQ(wet.at(24), clear.at(24));

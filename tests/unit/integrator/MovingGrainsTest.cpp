@@ -11,9 +11,15 @@ namespace {
 Scene<2> grainsInWater(const Vec<2>& water, const Vec<2>& grains)
 {
     constexpr Real d0 = 0.01, L = 32 * d0;
-    Scene<2> s = SceneBuilder<2>(d0).force({}).viscosity(0).water({0, 0}, {L, L}, water).shakeWater(0.1)
-        .soil({0.08, 0.08}, {0.24, 0.24}, "porousModel darcy; darcyCoeffs { porosity 0.8; K 1e9; }")
-        .periodic({0, 0}, {L, L}, {true, true}).build();
+    Scene<2> s = SceneBuilder<2>(d0)
+                     .force({})
+                     .viscosity(0)
+                     .water({0, 0}, {L, L}, water)
+                     .shakeWater(0.1)
+                     .soil({0.08, 0.08}, {0.24, 0.24},
+                           "porousModel darcy; darcyCoeffs { porosity 0.8; K 1e9; }")
+                     .periodic({0, 0}, {L, L}, {true, true})
+                     .build();
     s.scheme.stabilisation = Stabilisation::none, s.scheme.shifting = 0, s.scheme.dissipation = 0;
     shake(s.soil.x, 0.4 * d0);
     s.soil.released.assign(s.soil.size(), 1);
@@ -38,7 +44,8 @@ TEST(MovingGrains, ThatDriftAlongWithTheWaterLeaveItAlone)
 
 TEST(MovingGrains, DriveTheirVolumeOfWaterTheOtherWay)
 {
-    // A band of grains across the box, of a fifth of its volume, at 1 m/s: nothing else may go where they come from.
+    // A band of grains across the box, of a fifth of its volume, at 1 m/s: nothing else may go
+    // where they come from.
     constexpr Real d0 = 0.01, L = 32 * d0;
     Scene<2> s = SceneBuilder<2>(d0).force({}).viscosity(0).water({0, 0}, {L, L})
         .soil({0, 0.08}, {L, 0.24}, "porousModel darcy; darcyCoeffs { porosity 0.8; K 1e9; }")
@@ -55,7 +62,8 @@ TEST(MovingGrains, DriveTheirVolumeOfWaterTheOtherWay)
             if (std::abs(s.water.x[i][1] - 0.16) < 0.04) in += v, ++inCount;
             if (s.water.x[i][1] < 0.04 || s.water.x[i][1] > 0.28) out += v, ++outCount;
         }
-        EXPECT_NEAR(out / outCount - in / inCount, 0.2, 0.01);   // v + v_s is the same in the band and beside it
+        EXPECT_NEAR(out / outCount - in / inCount, 0.2,
+                    0.01);  // v + v_s is the same in the band and beside it
     });
 }
 

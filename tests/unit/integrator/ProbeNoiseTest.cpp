@@ -30,17 +30,23 @@ Real pressureAt(const Water<2>& water, const Vec<2>& at, Real spacing)
     return WP / W - dot(Wx, inverse(Wxx) * (WxP - (WP / W) * Wx)) / W;
 }
 
-/// Jumps of a pressure from step to step, of rho g H: the largest, and what 99 of 100 do not exceed.
+/// Jumps of a pressure from step to step, of rho g H: the largest, and what 99 of 100 do not
+/// exceed.
 struct Noise {
     Real largest, usual;
 };
 
-/// Of the pressure on a side wall, from 0.1 to 0.5 s, in water that sloshes in its first mode with a surface that
-/// rises by `amplitude`.
-Noise noiseOfGauge(Real amplitude, Real dt, Real shaken, Stabilisation stabilisation = Stabilisation::relaxedDensity)
+/// Of the pressure on a side wall, from 0.1 to 0.5 s, in water that sloshes in its first mode with
+/// a surface that rises by `amplitude`.
+Noise noiseOfGauge(Real amplitude, Real dt, Real shaken,
+                   Stabilisation stabilisation = Stabilisation::relaxedDensity)
 {
     constexpr Real spacing = 0.01, k = pi / L, from = 0.1, duration = 0.5;
-    Scene<2> scene = SceneBuilder<2>(spacing).water({0, 0}, {L, H}).shakeWater(shaken).openTank({0, 0}, {L, 0.3}).build();
+    Scene<2> scene = SceneBuilder<2>(spacing)
+                         .water({0, 0}, {L, H})
+                         .shakeWater(shaken)
+                         .openTank({0, 0}, {L, 0.3})
+                         .build();
     scene.scheme.stabilisation = stabilisation, scene.scheme.alpha = 0.3;
     const Real speed = amplitude * std::sqrt(9.81 * k * std::tanh(k * H)) / std::sinh(k * H);
     for (std::size_t i = 0; i < scene.water.size(); ++i) {
@@ -61,7 +67,8 @@ Noise noiseOfGauge(Real amplitude, Real dt, Real shaken, Stabilisation stabilisa
     return {jumps.back(), jumps[jumps.size() * 99 / 100]};
 }
 
-// Gentle sloshing changes the pressure by 0.03 % of rho g H in a step of 1 ms; what is more is noise.
+// Gentle sloshing changes the pressure by 0.03 % of rho g H in a step of 1 ms; what is more is
+// noise.
 TEST(PressureGauge, IsQuietInWaterThatSloshes)
 {
     const Noise noise = noiseOfGauge(0.04 * H, 1e-3, 0);
@@ -69,8 +76,8 @@ TEST(PressureGauge, IsQuietInWaterThatSloshes)
     EXPECT_LT(noise.usual, 0.001);
 }
 
-// What changes within a step, as the place of the surface, shows as 1/dt; a packing that is repaired by a share of
-// its error in every step makes such noise all the time.
+// What changes within a step, as the place of the surface, shows as 1/dt; a packing that is
+// repaired by a share of its error in every step makes such noise all the time.
 TEST(PressureGauge, IsQuietInSmallSteps)
 {
     const Noise noise = noiseOfGauge(0.04 * H, 2.5e-4, 0);

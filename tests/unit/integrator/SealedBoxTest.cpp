@@ -61,7 +61,8 @@ TEST(SealedBox, TheKineticEnergyOfWaterFalls)
 
 TEST(SealedBox, ShakenWaterAtRestStaysSlow)
 {
-    Scene<2> scene = SceneBuilder<2>(0.01).water({0, 0}, {L, L}).shakeWater(0.2).tank({0, 0}, {L, L}).build();
+    Scene<2> scene =
+        SceneBuilder<2>(0.01).water({0, 0}, {L, L}).shakeWater(0.2).tank({0, 0}, {L, L}).build();
     Real fastest = 0, meanPressure = 0;
     advance<2>(scene, 1e-3, 1000, [&](int, const StepFields<2>&) {
         for (const Vec<2>& u : scene.water.u) fastest = std::max(fastest, norm(u));

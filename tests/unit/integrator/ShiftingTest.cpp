@@ -25,7 +25,14 @@ std::vector<Vec<2>> shiftsOf(Scene<2>& scene)
     return moved;
 }
 
-Scene<2> unevenTank() { return SceneBuilder<2>(1).water({0, 0}, {12, 8}).shakeWater(0.2).openTank({0, 0}, {12, 12}).build(); }
+Scene<2> unevenTank()
+{
+    return SceneBuilder<2>(1)
+        .water({0, 0}, {12, 8})
+        .shakeWater(0.2)
+        .openTank({0, 0}, {12, 12})
+        .build();
+}
 
 TEST(Shifting, LeavesSurfaceParticlesWithinReachOfAWallWhereTheyAre)
 {
@@ -50,13 +57,15 @@ TEST(Shifting, LeavesSurfaceParticlesWithinReachOfAWallWhereTheyAre)
 TEST(Shifting, MovesNothingInWaterThatMovesAsOne)
 {
     Scene<2> scene = unevenTank();
-    for (std::size_t i = 0; i < scene.water.size(); ++i) scene.water.u[i] = scene.water.uOld[i] = {3, -2};
+    for (std::size_t i = 0; i < scene.water.size(); ++i)
+        scene.water.u[i] = scene.water.uOld[i] = {3, -2};
     Timers timers;
     DragImplicitStep<2> step(scene, timers);
     step.look();
     const std::vector<Vec<2>> before = scene.water.x;
     shift(*scene.kernel, scene.scheme, Real(0.01), step.fields(), scene.water);
-    for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(norm(scene.water.x[i] - before[i]), 0);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_EQ(norm(scene.water.x[i] - before[i]), 0);
 }
 
 /// Two linear flows, one at each time: what is shifted has the velocities of its new place at both.
@@ -65,9 +74,11 @@ void expectLinearFlowsToBeFollowed(Scene<Dim> scene)
 {
     Mat<Dim> now, before;
     for (int r = 0; r < Dim; ++r)
-        for (int c = 0; c < Dim; ++c) now[r][c] = 0.3 * r - 0.2 * c + 0.1, before[r][c] = 0.1 * c - 0.4 * r * c;
+        for (int c = 0; c < Dim; ++c)
+            now[r][c] = 0.3 * r - 0.2 * c + 0.1, before[r][c] = 0.1 * c - 0.4 * r * c;
     Water<Dim>& water = scene.water;
-    for (std::size_t i = 0; i < water.size(); ++i) water.u[i] = now * water.x[i], water.uOld[i] = before * water.x[i];
+    for (std::size_t i = 0; i < water.size(); ++i)
+        water.u[i] = now * water.x[i], water.uOld[i] = before * water.x[i];
     Timers timers;
     DragImplicitStep<Dim> step(scene, timers);
     step.look();
@@ -75,7 +86,8 @@ void expectLinearFlowsToBeFollowed(Scene<Dim> scene)
     shift(*scene.kernel, scene.scheme, Real(0.1), step.fields(), water);
     int moved = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        Real depth = 12;   // below the faces of the block, at whose corners gradients are not corrected in full
+        // Below the faces of the block, at whose corners gradients are not corrected in full.
+        Real depth = 12;
         for (int d = 0; d < Dim; ++d) depth = std::min({depth, x[i][d], 12 - x[i][d]});
         const Real way = norm(water.x[i] - x[i]);
         if (depth < 2 || way < 1e-3) continue;
@@ -89,11 +101,14 @@ void expectLinearFlowsToBeFollowed(Scene<Dim> scene)
 
 TEST(Shifting, VelocitiesOfBothTimesFollowLinearFlows)
 {
-    expectLinearFlowsToBeFollowed(SceneBuilder<2>(1).water({0, 0}, {12, 12}).shakeWater(0.2).build());
-    expectLinearFlowsToBeFollowed(SceneBuilder<3>(1).water({0, 0, 0}, {12, 12, 12}).shakeWater(0.2).build());
+    expectLinearFlowsToBeFollowed(
+        SceneBuilder<2>(1).water({0, 0}, {12, 12}).shakeWater(0.2).build());
+    expectLinearFlowsToBeFollowed(
+        SceneBuilder<3>(1).water({0, 0, 0}, {12, 12, 12}).shakeWater(0.2).build());
 }
 
-/// Periodic vortices of unit speed, 20 spacings of 1 each, whose particles are shifted twenty times where they stand.
+/// Periodic vortices of unit speed, 20 spacings of 1 each, whose particles are shifted twenty times
+/// where they stand.
 class Vortices {
 public:
     explicit Vortices(Real shaken)
@@ -110,7 +125,8 @@ public:
     void shiftTwentyTimes()
     {
         Water<2>& water = scene_.water;
-        for (std::size_t i = 0; i < water.size(); ++i) water.u[i] = water.uOld[i] = flow(water.x[i]);
+        for (std::size_t i = 0; i < water.size(); ++i)
+            water.u[i] = water.uOld[i] = flow(water.x[i]);
         Timers timers;
         DragImplicitStep<2> step(scene_, timers);
         for (int n = 0; n < 20; ++n) {
@@ -148,8 +164,8 @@ TEST(Shifting, GivesParticlesTheEnergyOfTheFlowWhereItPutsThem)
 
 TEST(Shifting, CarriesNoWaterToWhereTheFlowIsSwift)
 {
-    // A lattice that the flow has drawn out is uneven at the scale of the vortices, and as full as before. Were what
-    // neighbours share not left out, 0.3 % of energy would be won.
+    // A lattice that the flow has drawn out is uneven at the scale of the vortices, and as full as
+    // before. Were what neighbours share not left out, 0.3 % of energy would be won.
     Vortices vortices(0);
     vortices.drawOut();
     const Real before = vortices.energyOfFlow();

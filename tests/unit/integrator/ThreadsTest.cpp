@@ -12,17 +12,24 @@ using namespace isph;
 
 namespace {
 
-const std::string sand = "porousModel akbari; akbariCoeffs { porosity 0.4; D50 0.002; alphaC 1000; betaC 1.1; }";
+const std::string sand =
+    "porousModel akbari; akbariCoeffs { porosity 0.4; D50 0.002; alphaC 1000; betaC 1.1; }";
 
 /// Some 1000 particles, so that every loop is shared: water that falls on soil, periodic in x.
 Scene<2> disturbed()
 {
-    Scene<2> scene = SceneBuilder<2>(0.01).water({0, 0.1}, {0.48, 0.3}).waterCells({0, 0}, {0.48, 0.1}, {32, 6})
-                         .shakeWater(0.2).soil({0, 0}, {0.48, 0.1}, sand)
-                         .tank({0, 0}, {0.48, 0.5}, [](const Vec<2>& x) { return x[1] > 0 || x[0] < 0 || x[0] > 0.48; })
-                         .periodic({0, 0}, {0.48, 0.5}, {true, false}).build();
+    Scene<2> scene = SceneBuilder<2>(0.01)
+                         .water({0, 0.1}, {0.48, 0.3})
+                         .waterCells({0, 0}, {0.48, 0.1}, {32, 6})
+                         .shakeWater(0.2)
+                         .soil({0, 0}, {0.48, 0.1}, sand)
+                         .tank({0, 0}, {0.48, 0.5},
+                               [](const Vec<2>& x) { return x[1] > 0 || x[0] < 0 || x[0] > 0.48; })
+                         .periodic({0, 0}, {0.48, 0.5}, {true, false})
+                         .build();
     for (std::size_t i = 0; i < scene.water.size(); ++i)
-        scene.water.u[i] = scene.water.uOld[i] = {std::sin(20 * scene.water.x[i][1]), std::cos(13 * scene.water.x[i][0])};
+        scene.water.u[i] = scene.water.uOld[i] = {std::sin(20 * scene.water.x[i][1]),
+                                                  std::cos(13 * scene.water.x[i][0])};
     return scene;
 }
 
@@ -68,11 +75,12 @@ OneStep predictAndCorrect()
     fields.points.refresh(fields.resistance);
     const StepWeights weights{1e-3, 0.8};
     const auto end = fields.soil.porosity.begin() + fields.points.water;
-    scene.water.porosity.assign(fields.soil.porosity.begin(), end), scene.water.porosityOld = scene.water.porosity;
+    scene.water.porosity.assign(fields.soil.porosity.begin(), end),
+        scene.water.porosityOld = scene.water.porosity;
     for (Real& eps : scene.water.porosityOld) eps = 0.9 * eps;   // as if all had come to a face
     carryThroughFaces(scene.water, weights, fields);
-    const WaterInSoil<2> medium{weights.dtPrime(), fields.soil, fields.resistance, scene.scheme.spacing, fields.face.v,
-                                fields.face.carriesDarcy};
+    const WaterInSoil<2> medium{weights.dtPrime(),    fields.soil,   fields.resistance,
+                                scene.scheme.spacing, fields.face.v, fields.face.carriesDarcy};
     predict(scene.water, scene.wallCloud, medium, scene.scheme, weights, fields);
     OneStep result;
     result.predicted = fields.v;
@@ -95,8 +103,8 @@ TEST(Step, OneAndThreeThreadsAgreeBitForBitAfterTenSteps)
     for (const char* solver : {"PCG", "lagCholmod", "cholmod"}) {
         const auto run = [&] {
             Scene<2> scene = disturbed();
-            scene.solver = PressureSolver::select(
-                Dictionary::parse(std::string("solver ") + solver + "; tolerance 1e-8; maxIter 2000;"));
+            scene.solver = PressureSolver::select(Dictionary::parse(
+                std::string("solver ") + solver + "; tolerance 1e-8; maxIter 2000;"));
             advance(scene, 5e-4, 10);
             return std::move(scene.water);
         };

@@ -31,12 +31,13 @@ TEST(TimeStep, IsTheSmallestOfItsLimits)
 {
     const Scheme<2> s = scheme();
     EXPECT_EQ(stepSize<2>(s, 0.2, none, none, 0, 2000, {}), 1e-4);                        // Courant
-    EXPECT_EQ(stepSize<2>(s, 0.2, 3e-4, none, 0, 0, {}), 3e-4);                           // maxDeltaT
-    EXPECT_EQ(stepSize<2>(s, 0.2, none, 2e-5, 0, 0, {}), 2e-5);                           // the first step
+    EXPECT_EQ(stepSize<2>(s, 0.2, 3e-4, none, 0, 0, {}), 3e-4);  // maxDeltaT
+    EXPECT_EQ(stepSize<2>(s, 0.2, none, 2e-5, 0, 0, {}), 2e-5);  // the first step
     EXPECT_NEAR(stepSize<2>(s, 0.2, none, none, 0, 0, {}), 0.25 * std::sqrt(0.015 / 9.81), 1e-15);
     EXPECT_NEAR(stepSize<2>(s, 0.2, none, none, 1e-4, 0, {}), 1.2e-4, 1e-18);             // growth
     const std::vector<Real> eddy = {0, 0.1, 0};
-    EXPECT_NEAR(stepSize<2>(s, 0.2, none, none, 0, 0, eddy), 0.125 * sqr(0.015) / (0.1 + 1e-6), 1e-15);
+    EXPECT_NEAR(stepSize<2>(s, 0.2, none, none, 0, 0, eddy), 0.125 * sqr(0.015) / (0.1 + 1e-6),
+                1e-15);
 }
 
 TEST(TimeStep, AFlowThatBecameUnstableEndsTheRun)
@@ -49,7 +50,8 @@ TEST(TimeStep, AStepThatShrankByDegreesEndsTheRunAsWell)
     // Each step is half of the one before: the growth limit is never far, the calm step is.
     Real dt = 1e-3;
     const auto shrink = [&] {
-        for (int n = 0; n < 100; ++n) dt = stepSize<2>(scheme(), 0.2, none, 1e-3, dt, 0.2 / (dt / 2), {});
+        for (int n = 0; n < 100; ++n)
+            dt = stepSize<2>(scheme(), 0.2, none, 1e-3, dt, 0.2 / (dt / 2), {});
     };
     EXPECT_THROW(shrink(), FatalError);
     EXPECT_GT(dt, 1e-5 * 1e-3 / 2);
@@ -78,10 +80,13 @@ TEST(TimeStep, AGivenStepBeyondItsLimitIsRefusedWithTheLimit)
 {
     const Scheme<2> s = scheme();
     EXPECT_NO_THROW(requireStableStep<2>(s, 1e-3, 999, {}));
-    EXPECT_NE(messageOf([&] { requireStableStep<2>(s, 1e-2, 400, {}); }).find("limit is 0.0025 s"), std::string::npos);
+    EXPECT_NE(messageOf([&] { requireStableStep<2>(s, 1e-2, 400, {}); }).find("limit is 0.0025 s"),
+              std::string::npos);
     const std::vector<Real> eddy = {0, 0.1 - 1e-6};
     EXPECT_NO_THROW(requireStableStep<2>(s, 3e-4, 0, eddy));
-    EXPECT_NE(messageOf([&] { requireStableStep<2>(s, 4e-4, 0, eddy); }).find("limit is 0.000315 s"), std::string::npos);
+    EXPECT_NE(
+        messageOf([&] { requireStableStep<2>(s, 4e-4, 0, eddy); }).find("limit is 0.000315 s"),
+        std::string::npos);
 }
 
 TEST(TimeStep, AStateThatIsNoNumberNamesItsParticle)

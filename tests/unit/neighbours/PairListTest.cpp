@@ -113,7 +113,8 @@ TEST(PairList, HoldsTheKernelOfTheMeanWidth)
             const Real scale = kernel->normalisation(3) / cube(h);
             // The same algebra, values below 0.5, rounded to single precision (half of 2^-23).
             ASSERT_NEAR(pair.W, w * scale, 1e-14 + 6e-8 * w * scale);
-            ASSERT_NEAR(pair.slope, slope * scale / sqr(h), 1e-14 + 6e-8 * std::abs(slope) * scale / sqr(h));
+            ASSERT_NEAR(pair.slope, slope * scale / sqr(h),
+                        1e-14 + 6e-8 * std::abs(slope) * scale / sqr(h));
             ASSERT_EQ(pair.x_ij, points.x[i] - points.x[pair.j]);
         });
 }
@@ -139,14 +140,16 @@ TEST(PairList, IsThatOfBruteForceWhereAFewHaveChangedCells)
     expectRowsAsByBruteForce(unequal, *kernel);
 }
 
-/// One h has a search of its own; a narrower particle far away makes it the search for many, of the same pairs.
+/// One h has a search of its own; a narrower particle far away makes it the search for many, of the
+/// same pairs.
 template <int Dim>
 void expectNothingOfANarrowPointFarAway(const Points<Dim>& points)
 {
     const auto kernel = kernelNamed("wendlandC2");
     Points<Dim> more = points;
     more.x.push_back(Vec<Dim>{} + 100.0 * points.x[points.size() / 2]);
-    more.h.push_back(0.5 * points.h[0]), more.volume.push_back(1), more.owner.push_back(more.water++);
+    more.h.push_back(0.5 * points.h[0]), more.volume.push_back(1),
+        more.owner.push_back(more.water++);
     more.fluid = more.water;
     PairList<Dim> alone, beside;
     alone.build(points, *kernel), beside.build(more, *kernel);

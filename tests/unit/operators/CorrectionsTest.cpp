@@ -48,10 +48,12 @@ void expectExactGradient(const Points<Dim>& points)
     const Vec<Dim> a = slopes<Dim>();
     int exactOnes = 0;
     for (Index i = 0; i < points.water; ++i) {
-        if (smallestEigenvalue(cloud.moment(i, false)) < 0.25) continue;   // blended   [theory (2.9)]
+        if (smallestEigenvalue(cloud.moment(i, false)) < 0.25)
+            continue;  // blended   [theory (2.9)]
         Vec<Dim> gradient;
         cloud.pairs.forAll(i, [&](const auto& pair) {
-            gradient += (points.volume[pair.j] * dot(a, -pair.x_ij)) * (cloud.corrections.L[i] * pair.gradW());
+            gradient += (points.volume[pair.j] * dot(a, -pair.x_ij)) *
+                        (cloud.corrections.L[i] * pair.gradW());
         });
         for (int d = 0; d < Dim; ++d) ASSERT_NEAR(gradient[d], a[d], 1e-12);
         ++exactOnes;
@@ -85,7 +87,8 @@ TEST(Gradient, OverWaterAloneIsExactToo)
         if (smallestEigenvalue(cloud.moment(i, true)) < 0.25) continue;
         Vec<2> gradient;
         cloud.pairs.forWater(i, [&](const auto& pair) {
-            gradient += (points.volume[pair.j] * dot(a, -pair.x_ij)) * (cloud.corrections.Lwater(i) * pair.gradW());
+            gradient += (points.volume[pair.j] * dot(a, -pair.x_ij)) *
+                        (cloud.corrections.Lwater(i) * pair.gradW());
         });
         for (int d = 0; d < 2; ++d) ASSERT_NEAR(gradient[d], a[d], 1e-12);
         ++exactOnes;
@@ -150,7 +153,7 @@ void expectAFullLatticeToBeSeenAsFull(int n)
         for (int d = 0; d < Dim; ++d) whole = whole && points.x[i][d] > 3 && points.x[i][d] < n - 3;
         if (!whole) continue;
         ++inside;
-        EXPECT_NEAR(cloud.corrections.lambda[i], Dim, 0.01 * Dim);   // quadrature of a smooth kernel
+        EXPECT_NEAR(cloud.corrections.lambda[i], Dim, 0.01 * Dim);  // quadrature of a smooth kernel
         EXPECT_NEAR(cloud.corrections.filling[i], 1, 0.01);
         EXPECT_LT(norm(cloud.corrections.lopsided[i]), 1e-13);      // pairs cancel
     }
@@ -179,7 +182,8 @@ TEST(StrainRate, IsTheShearRateOfAShearFlowAndZeroInRotation)
     Mat<2> shear, rotation;
     shear[0] = {0, 3.5};
     rotation[0] = {0, 3.5}, rotation[1] = {-3.5, 0};
-    const std::vector<Real> sheared = strainRates(cloud, shear), rotating = strainRates(cloud, rotation);
+    const std::vector<Real> sheared = strainRates(cloud, shear),
+                            rotating = strainRates(cloud, rotation);
     for (Index i = 0; i < cloud.points.water; ++i) {
         if (smallestEigenvalue(cloud.moment(i, true)) < 0.25) continue;
         ASSERT_NEAR(sheared[i], 3.5, 1e-11);   // linear field, 1e-12 of gradients of 3.5

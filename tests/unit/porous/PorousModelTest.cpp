@@ -142,7 +142,8 @@ TEST(PorousModel, TheInertiaIntegralIsThatOfThePapersEquation6)
 {
     const auto m = model("ergun", "porosity 0.4; D50 0.01;");
     const Real y = 1 / 0.4;   // C_r = 0.66 + 0.34 y
-    EXPECT_NEAR(m->inertiaIntegral(0.4), 0.66 * (sqr(y) - 1) + 2 * 0.34 / 3 * (cube(y) - 1), 10 * exact);
+    EXPECT_NEAR(m->inertiaIntegral(0.4), 0.66 * (sqr(y) - 1) + 2 * 0.34 / 3 * (cube(y) - 1),
+                10 * exact);
     EXPECT_EQ(m->inertiaIntegral(1), 0);
 }
 

@@ -93,7 +93,8 @@ TEST(ComponentFinder, FindsWhatRelabellingFinds)
 
 TEST(ComponentFinder, FindsTheSameWithAnyNumberOfThreads)
 {
-    // a tank whose surface stands at one end of the rows, drops above it: runs of rows hold no anchor
+    // a tank whose surface stands at one end of the rows, drops above it: runs of rows hold
+    // no anchor
     Scene scene(120, 100);
     std::mt19937 random(7);
     std::vector<char> there(120 * 100);

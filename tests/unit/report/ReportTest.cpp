@@ -178,8 +178,9 @@ TEST_F(IsphReport, StopsAtASignalAndGoesOnLater)
     writeReportDict(
         "vary { spacing { values (0.1); } kernel { values (wendlandC2 quinticSpline); } }");
     // --foreground: one signal, to the program alone; a second one ends it at once.
-    const std::string line = "timeout --foreground -s TERM 2 " + std::string(ISPH_REPORT) + " -case " +
-                             case_.string() + " > " + (case_ / "output").string() + " 2>&1";
+    const std::string line = "timeout --foreground -s TERM 2 " + std::string(ISPH_REPORT) +
+                             " -case " + case_.string() + " > " + (case_ / "output").string() +
+                             " 2>&1";
     ASSERT_NE(std::system(line.c_str()), 0);
     EXPECT_TRUE(printed("Stopped by signal 15")) << read("output");
     EXPECT_EQ(solverRuns(), 2u);

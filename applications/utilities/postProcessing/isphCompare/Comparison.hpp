@@ -44,7 +44,8 @@ struct Expectation {
 /// A series with a reference is compared at the times of the reference, a profile at its points at
 /// the times of the source (all of the reference's, where none are given). A point of the reference
 /// may lie outside the profile by 5 % of its length, a time after the last row by one row.
-/// A band is compared at evenly spaced times; the expected value is that of the band next to the measured one.
+/// A band is compared at evenly spaced times; the expected value is that of the band next to the
+/// measured one.
 /// errors
 /// FatalError, FatalIOError: no such file, column, time or point; a value that is no number
 std::vector<Sample> samples(const Source& source, const Expectation& expectation);
@@ -55,7 +56,7 @@ std::vector<std::string> measureNames();
 /// One number >= 0 for the deviations d = measured - expected, no number where one of them is none:
 ///   last   |mean of d at the latest time|     mean  |mean of d|     rms  root of the mean of d^2
 ///   max    largest |d|                        min   smallest |d|
-///   range  largest less smallest measured value       outside  share of the samples with d other than 0 [%]
+///   range  largest less smallest measured value       outside  share of samples with d not 0 [%]
 Real measure(const std::string& name, const std::vector<Sample>& all);
 
 /// Samples in per cent of the largest |expected|. Throws FatalError where that is 0.

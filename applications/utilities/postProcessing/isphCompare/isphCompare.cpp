@@ -62,15 +62,18 @@ void declare(CommandLine& line)
         .option("expect", "number", "what is subtracted; 0 where absent")
         .option("reference", "csv",
                 "what is subtracted: t,value of a series; t,x,value of a profile")
-        .option("delay", "most",
-                "a series' reference may have begun later than the run, by up to this time [s]: the "
-                "delay that fits best counts and is printed")
+        .option(
+            "delay", "most",
+            "a series' reference may have begun later than the run, by up to this time [s]: the "
+            "delay that fits best counts and is printed")
         .option("average", "width", "takes the moving average of a series over this time [s]")
         .flag("band",
-              "the reference of a series is t,value,low,high, and nothing is subtracted but what lies beyond")
-        .option("measure", "name",
-                "last, mean, max (where absent), min or rms of the deviations, range of the values, or "
-                "outside: the share of those that deviate [%]")
+              "the reference of a series is t,value,low,high, and nothing is subtracted but what "
+              "lies beyond")
+        .option(
+            "measure", "name",
+            "last, mean, max (where absent), min or rms of the deviations, range of the values, or "
+            "outside: the share of those that deviate [%]")
         .option("scale", "factor", "multiplies measured and expected values")
         .flag("relative", "in per cent of what is expected, the largest of a reference");
 }

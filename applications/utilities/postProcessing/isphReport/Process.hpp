@@ -31,8 +31,9 @@ struct Command {
 /// SIGTERM. Throws FatalError where no process can be made.
 ProcessEnd runCommand(const Command& command);
 
-/// While it lives no command starts. A command takes the files with it that are open when it starts, and a script
-/// that somebody has open for writing cannot be run ("text file busy"): scripts are written under this lock.
+/// While it lives no command starts. A command takes the files with it that are open when it
+/// starts, and a script that somebody has open for writing cannot be run ("text file busy"):
+/// scripts are written under this lock.
 std::unique_lock<std::mutex> holdStarts();
 
 /// Puts the folder of this program before the others of PATH.
