@@ -43,13 +43,23 @@ Real areaOf(const RegionPart& part, const CaseGeometry& g, const std::vector<con
         }));
 }
 
-Real volumeOfPart(const RegionPart& part, const CaseGeometry& g,
-                  const std::vector<const Shape*>& shapes)
+/// Volumes of the parts of a region in 3-D. What no partner overlaps is the rest: faces that it
+/// shares with partners would count by a fraction of the quadrature's cells. It is the rest of the
+/// same quadrature: a region that partners overlap as a whole has none.
+/// alone  nothing is taken from the shape
+/// own    the distance to the whole region, within `bounds`
+void measureParts(std::vector<RegionPart>& parts, const Shape& shape, bool alone,
+                  const CaseGeometry& g, const BoundingBox& bounds,
+                  const std::function<Real(const Point&)>& own)
 {
-    if (g.dimension == 2) return areaOf(part, g, shapes);
-    if (shapes.size() == 1 && shapes[0]->bounded())
-        if (const auto volume = shapes[0]->volume()) return *volume;
-    return measure(part.bounds, 3, 0.25 * g.spacing, part.distance);
+    const Real step = 0.25 * g.spacing;
+    const bool whole = alone && parts.size() == 1 && parts[0].partner < 0 && shape.bounded();
+    const auto exact = whole ? shape.volume() : std::nullopt;
+    Real rest = exact ? *exact : measure(bounds, 3, step, own);
+    for (RegionPart& part : parts)
+        if (part.partner >= 0) rest -= part.volume = measure(part.bounds, 3, step, part.distance);
+    for (RegionPart& part : parts)
+        if (part.partner < 0) part.volume = rest;
 }
 
 }  // namespace
@@ -90,12 +100,17 @@ std::vector<RegionPart> partsOf(const CaseGeometry& g, const Shape& shape,
         part.bounds = p < 0 ? whole : intersection(whole, partners[p]->bounds());
         if (part.bounds.empty()) continue;
         part.frame = p < 0 ? box : partners[p]->box();
-        std::vector<const Shape*> shapes = taken;
-        shapes.insert(shapes.end(), partners.begin(), partners.end());
-        shapes.insert(shapes.begin(), &shape);
-        part.volume = volumeOfPart(part, g, shapes);
-        if (part.volume > 1e-9 * g.cellVolume()) parts.push_back(std::move(part));
+        parts.push_back(std::move(part));
     }
+    if (g.dimension == 2) {
+        std::vector<const Shape*> shapes{&shape};
+        shapes.insert(shapes.end(), taken.begin(), taken.end());
+        shapes.insert(shapes.end(), partners.begin(), partners.end());
+        for (RegionPart& part : parts) part.volume = areaOf(part, g, shapes);
+    } else {
+        measureParts(parts, shape, taken.empty(), g, whole, own);
+    }
+    std::erase_if(parts, [&](const auto& part) { return part.volume <= 1e-9 * g.cellVolume(); });
     return parts;
 }
 

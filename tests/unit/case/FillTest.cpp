@@ -199,6 +199,44 @@ TEST(FillWater, InThreeDimensionsALayerLiesBeneathAnObliqueSurfaceToo)
     EXPECT_GT(nearestPair(s.g, s.water.x), 0.55 * 0.01);
 }
 
+/// A turned tank in 3-D, its bed and its pool polygons: neither is a box to createParticles.
+FilledScene turnedBed(const std::string& pool)
+{
+    const auto at = [](Real x, Real y) {
+        const Real c = std::cos(pi / 6), s = 0.5;
+        return "(" + std::to_string(c * x - s * y) + " " + std::to_string(s * x + c * y) + ")";
+    };
+    const auto block = [&](Real height) {
+        return "type polygon; points (" + at(0, 0) + at(0.3, 0) + at(0.3, height) + at(0, height) +
+               ");";
+    };
+    return FilledScene(
+        "spacing 0.02; dimension 3; domain { min (-1 -1 0); max (1 1 0.16); }"
+        "walls { tank { type box; min (0 0 0); max (0.3 0.3 0.16); open (top); rotation { angle "
+        "30; axis (0 0 1); origin (0 0 0); } } }"
+        "soil { bed { " +
+        block(0.1) +
+        " zone sand; } }"
+        "water { pool { " +
+        block(std::stod(pool)) + " } }");
+}
+
+TEST(FillWater, FacesThatItSharesWithSoilDoNotCountTwice)
+{
+    // 0.0048 m3 above the bed and in it. With a share of the quadrature's cells along the faces of
+    // the bed there are 12 particles more.
+    const FilledScene s = turnedBed("0.2");
+    EXPECT_NEAR(s.count("pool", ""), 600, 2);
+    EXPECT_NEAR(s.count("pool", "sand"), 240, 1);
+}
+
+TEST(FillWater, WhatLiesInSoilAsAWholeHasNoPartBesideIt)
+{
+    const FilledScene s = turnedBed("0.1");
+    EXPECT_EQ(s.count("pool", ""), -1);
+    EXPECT_NEAR(s.count("pool", "sand"), 240, 1);
+}
+
 TEST(FillWater, AroundACircleTheNumberFollowsTheArea)
 {
     const FilledScene s(
