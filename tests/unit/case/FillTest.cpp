@@ -4,6 +4,8 @@
 #include "core/Parallel.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 using namespace isph;
@@ -226,15 +228,15 @@ TEST(FillWater, FacesThatItSharesWithSoilDoNotCountTwice)
     // 0.0048 m3 above the bed and in it. With a share of the quadrature's cells along the faces of
     // the bed there are 12 particles more.
     const FilledScene s = turnedBed("0.2");
-    EXPECT_NEAR(s.count("pool", ""), 600, 2);
-    EXPECT_NEAR(s.count("pool", "sand"), 240, 1);
+    EXPECT_LE(std::abs(s.count("pool", "") - 600), 2);
+    EXPECT_LE(std::abs(s.count("pool", "sand") - 240), 1);
 }
 
 TEST(FillWater, WhatLiesInSoilAsAWholeHasNoPartBesideIt)
 {
     const FilledScene s = turnedBed("0.1");
     EXPECT_EQ(s.count("pool", ""), -1);
-    EXPECT_NEAR(s.count("pool", "sand"), 240, 1);
+    EXPECT_LE(std::abs(s.count("pool", "sand") - 240), 1);
 }
 
 TEST(FillWater, AroundACircleTheNumberFollowsTheArea)
