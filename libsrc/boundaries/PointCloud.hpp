@@ -13,10 +13,10 @@ struct WallCloud {
     std::vector<std::int64_t> wall;
     std::vector<Index> owner;   ///< the wall particle that each entry is or copies
     std::vector<char> noSlip;   ///< 1 where water sticks to the wall; empty where all walls slip
-    std::vector<char>
-        wallLaw;  ///< 1 where a thin boundary layer brakes the water; empty where none does
-    std::vector<Vec<Dim>>
-        velocity;  ///< of the wall's surface, along itself [m/s]; empty without friction
+    /// 1 where a thin boundary layer brakes the water; empty where none does
+    std::vector<char> wallLaw;
+    /// Of the wall's surface, along itself [m/s]; empty without friction
+    std::vector<Vec<Dim>> velocity;
 
     WallCloud() = default;
     WallCloud(const Walls<Dim>& walls, const PeriodicBox<Dim>& box, Real reach);

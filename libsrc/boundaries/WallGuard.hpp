@@ -23,8 +23,8 @@ private:
     Vec<Dim> wayOut(const Vec<Dim>& x, Index k, Index l) const;
 
     CellGrid<Dim> grid_;
-    std::vector<Vec<Dim>> foot_,
-        normal_;  ///< points of the wall surface, one of each particle next to it
+    /// Points of the wall surface, one of each particle next to it
+    std::vector<Vec<Dim>> foot_, normal_;
     Real spacing_;
 };
 

@@ -38,14 +38,16 @@ public:
 
     Real value() const { return value_; }  ///< [s]
     int index() const { return index_; }   ///< steps since the case began
+    /// Last step, or the next one once setDeltaT chose it [s]
     Real deltaT() const
     {
         return deltaT_;
-    }  ///< last step, or the next one once setDeltaT chose it [s]
+    }
+    /// The step before deltaT(), 0 if there was none [s]
     Real deltaT0() const
     {
         return deltaT0_;
-    }  ///< the step before deltaT(), 0 if there was none [s]
+    }
     Real startValue() const { return startValue_; }
     Real endTime() const { return endTime_; }
     std::string name() const;  ///< of the time folder
@@ -80,8 +82,8 @@ public:
     const std::filesystem::path& caseDir() const { return caseDir_; }
 
     Real progress() const;  ///< share of endTime that is done [%]
-    Real secondsLeft()
-        const;  ///< wall time left by the pace of this run so far, 0 before the first step
+    /// Wall time left by the pace of this run so far, 0 before the first step
+    Real secondsLeft() const;
     /// 128 + signal after a stop signal, else 0.
     int exitCode() const;
 

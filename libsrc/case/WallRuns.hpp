@@ -8,10 +8,11 @@ namespace isph {
 /// A smooth stretch of a contour. At depth delta its vertex i lies at vertex[i] + delta*inward[i],
 /// which keeps straight edges parallel and joins neighbouring runs at their corners.
 struct WallRun {
+    /// Corner: shared with the next run; open: half a spacing to the end
     enum class End {
         corner,
         open
-    };  ///< corner: shared with the next run; open: half a spacing to the end
+    };
     std::vector<Vec<2>> vertex, inward;
     std::vector<int> tag;  ///< of the edge from vertex i to i + 1
     End start = End::open, end = End::open;

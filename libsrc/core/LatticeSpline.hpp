@@ -16,8 +16,8 @@ namespace isph {
 namespace latticeSpline {
 
 inline constexpr Real kReach = 3;     ///< M(x) = 0 for |x| >= kReach, in units of d0
-inline constexpr Real kDeep =
-    2;  ///< in units of d0: deeper beneath a face only 3e-4 of the sums is missing
+/// In units of d0: deeper beneath a face only 3e-4 of the sums is missing.
+inline constexpr Real kDeep = 2;
 
 /// M(x) = [(3-|x|)^5 - 6 (2-|x|)^5 + 15 (1-|x|)^5]/120 where the brackets are positive, x in units
 /// of d0.

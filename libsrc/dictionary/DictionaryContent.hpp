@@ -28,10 +28,10 @@ struct Dictionary::Content {
 
     const DictionaryEntry* findExact(std::string_view key) const;
     DictionaryEntry* findExact(std::string_view key);
-    const DictionaryEntry* findPattern(
-        const std::string& text) const;  ///< the entry written as this pattern
-    const DictionaryEntry* find(
-        std::string_view key) const;  ///< exact, else the last pattern that matches
+    /// The entry written as this pattern
+    const DictionaryEntry* findPattern(const std::string& text) const;
+    /// Exact, else the last pattern that matches
+    const DictionaryEntry* find(std::string_view key) const;
     /// Replaces an entry of the same key in its place (a pattern goes to the end), else appends.
     DictionaryEntry& put(DictionaryEntry entry);
     void erase(const DictionaryEntry* entry);

@@ -100,8 +100,8 @@ private:
     ParserState& state_;
     std::vector<OpenBrace> open_;
     std::vector<OpenBranch> branches_;
-    std::string
-        indentHint_;  ///< a closing brace that stands at another indent than its opening one
+    /// A closing brace that stands at another indent than its opening one
+    std::string indentHint_;
 };
 
 }  // namespace isph

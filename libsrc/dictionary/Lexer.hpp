@@ -10,8 +10,8 @@ namespace isph {
 struct Lexeme {
     enum class Kind { word, string, number, punctuation, verbatim, variable, directive, end };
     Kind kind = Kind::end;
-    std::string
-        text;  ///< strings without quotes, variables without $ and ${ }, directives without #
+    /// Strings without quotes, variables without $ and ${ }, directives without #
+    std::string text;
     double number = 0;      ///< of kind number
     int line = 0;           ///< where it begins, from 1
     std::size_t begin = 0;  ///< offsets of its characters in the text, [begin, end)

@@ -32,8 +32,8 @@ struct FlowView {
     std::vector<Index> zone;                        ///< of soil; empty without soil
     std::function<Index(const Vector3&)> zoneAt;    ///< at any place; empty without soil
     std::map<std::string, std::vector<Real>> scalars;  ///< "p" [Pa], "porosity", ...
-    std::map<std::string, std::vector<Vector3>>
-        vectors;  ///< "U" pore velocity, "UDarcy" [m/s], ...
+    /// "U" pore velocity, "UDarcy" [m/s], ...
+    std::map<std::string, std::vector<Vector3>> vectors;
 
     // Wall particles: their volume closes kernel sums beside walls.
     std::vector<Vector3> wallPosition;

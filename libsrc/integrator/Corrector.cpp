@@ -11,7 +11,7 @@ namespace isph {
 namespace {
 // |T_i| h_i of a second row, and of a particle between it and the first.
 constexpr Real kEven = 0.25, kUneven = 0.4;
-constexpr Real kMostFitted = 0.25;       // spacings of water: what weighs more is an impact's
+constexpr Real kMostFitted = 0.25;  // spacings of water: what weighs more is an impact's
 constexpr Real kLeastRest = 0.2;  // of the partners' weight: if less is left they fit any gradient
 // Of what a particle far from faces conducts: half at a flat face.
 constexpr Real kLeastConducted = 0.25;
@@ -19,13 +19,14 @@ constexpr Real kLeastConducted = 0.25;
 /// What a pair asks of its partner.
 template <int Dim>
 struct Partner {
+    /// w of the predictor, p over rho
     enum Place : int {
         x = 0,
         w = Dim,
         volume = 2 * Dim,
         p,
         size = 8
-    };  ///< w of the predictor, p over rho
+    };
 };
 
 /// Sums over the water partners of a particle, those of every lane apart.
@@ -36,8 +37,8 @@ struct HeadSum {
     Index i;
     const Real* own;
     Vec<Dim> force;
-    std::array<Lanes, Dim> gradient{},
-        flux{};  ///< of p/rho - g.x, and of the velocity change (soil alone)
+    /// Of p/rho - g.x, and of the velocity change (soil alone)
+    std::array<Lanes, Dim> gradient{}, flux{};
     OuterSum<Dim> conducted{};                   ///< sum V beta_ij gradW x_ij (soil alone)
 
     void add(const PairLanes& pairs, const std::array<Lanes, P::size>& of)
@@ -146,14 +147,16 @@ void correct(const Medium& medium, const Scheme<Dim>& scheme, StepFields<Dim>& f
         to[P::volume] = points.volume[i], to[P::p] = fields.p[i];
     });
     parallelForDynamic(points.water, [&](Index i) {
-        std::array<Real, P::size> own;
-        std::copy_n(partners[i], P::size, own.begin());
+        const Real* own = partners[i];
+        std::array<Real, P::size> fitted;
         if (const Real share = leftOut(fields, medium, i); share > 0) {
             const Real most = kMostFitted * scheme.spacing * std::max(scheme.strongest, norm(g));
-            own[P::p] +=
-                share * std::clamp(fittedPressure(fields, partners, g, i) - own[P::p], -most, most);
+            std::copy_n(own, P::size, fitted.begin());
+            fitted[P::p] += share * std::clamp(fittedPressure(fields, partners, g, i) - own[P::p],
+                                               -most, most);
+            own = fitted.data();
         }
-        HeadSum<Dim, Medium> sum{medium, i, own.data(), g};
+        HeadSum<Dim, Medium> sum{medium, i, own, g};
         fields.pairs.forWaterLanes(
             i, [&](const PairLanes& pairs) { sum.add(pairs, partners.gather(pairs.j)); });
         const Vec<Dim> gradient = sumOf(sum.gradient);

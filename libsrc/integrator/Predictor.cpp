@@ -13,9 +13,9 @@
 namespace isph {
 
 namespace {
-constexpr Real kRoughStrength = 8;     // c_r of rough parts, which are small,
-// And of whole differences at the surface, over that of the case
-constexpr Real kWholeStrength = 0.5;
+/// c_r of rough parts, which are small, and of whole differences at the surface, over that of the
+/// case.
+constexpr Real kRoughStrength = 8, kWholeStrength = 0.5;
 
 /// Reynolds numbers |grad v| d0^2/nu of the spacing up to which friction resolves a shear, and from
 /// which on it is too weak to end the noise in it.                                   [theory (7.8)]
@@ -43,10 +43,10 @@ struct Carried {
         viscosity,
         zone,
         gradient,  ///< grad v where differences have a smooth part, else zero, row by row
-        whole = gradient +
-                Dim * Dim,  ///< 1 if inner and all partners are in the same zone, otherwise 0
-        shear,              ///< |grad v|
-        unresolved,         ///< its share that friction does not resolve
+        /// 1 if inner and all partners are in the same zone, otherwise 0
+        whole = gradient + Dim * Dim,
+        shear,       ///< |grad v|
+        unresolved,  ///< its share that friction does not resolve
         used,
         size = (used + kLanes - 1) / kLanes * kLanes
     };
@@ -155,10 +155,10 @@ Lanes viscosityOf(const Partners<Dim>& partners, const Lanes& ownShare)
 template <int Dim>
 struct AnisotropySum {
     using C = Carried<Dim>;
-    std::array<std::array<Lanes, Dim>, Dim>
-        spread{};  ///< sum V F x_ij x_ij, over the share of a full support
-    std::array<std::array<std::array<Lanes, Dim>, Dim>, Dim>
-        bend{};  ///< sum V (grad v_j - grad v_i) gradW_ij
+    /// Sum V F x_ij x_ij, over the share of a full support
+    std::array<std::array<Lanes, Dim>, Dim> spread{};
+    /// Sum V (grad v_j - grad v_i) gradW_ij
+    std::array<std::array<std::array<Lanes, Dim>, Dim>, Dim> bend{};
 
     void add(const Partners<Dim>& partners, const std::array<Lanes, Dim>& x, const Lanes& slope,
              const Lanes& weight, const Lanes& smooth)
@@ -196,8 +196,8 @@ struct NoAnisotropySum {
 template <int Dim, bool Viscous>
 struct RateSum {
     using C = Carried<Dim>;
-    Real dissipation, most,
-        shortest2;  ///< c_r; largest share of a velocity difference; of |x_ij|^2
+    /// c_r; largest share of a velocity difference; of |x_ij|^2
+    Real dissipation, most, shortest2;
     std::array<Lanes, Dim> rate{};
     std::array<Lanes, Dim> side{};       ///< sum V F x_ij over the share of a full support
     std::conditional_t<Viscous, AnisotropySum<Dim>, NoAnisotropySum<Dim>> anisotropy{};

@@ -19,8 +19,8 @@ struct Scheme {
     Real viscosity = 1e-6;            ///< nu [m2/s]
     Vec<Dim> force{};                 ///< g + body force [m/s2]
     Real strongest = 0;  ///< |c| that counts near the surface, if above |g|    [theory (5.4)]
-    bool surfaceCarries =
-        true;  ///< surface particles carry the water above them (6.9); the paper's do not
+    /// Surface particles carry the water above them (6.9); the paper's do not
+    bool surfaceCarries = true;
 
     Stabilisation stabilisation = Stabilisation::relaxedDensity;
     Real relaxationTime = 0.1;  ///< T of the density source [s]                      [theory (5.5)]
@@ -29,10 +29,10 @@ struct Scheme {
     Real shifting = 10;               ///< A of (7.1), 0 = none
     Real largestShift = 0.05;         ///< in local spacings
     Real dissipation = 16;            ///< c_r of (7.3)
-    bool wholeAtSurface =
-        true;  ///< at the surface velocity differences dissipate with their smooth part
-    Real collisionDistance =
-        0.5;  ///< in local spacings                                [theory (7.4)]
+    /// At the surface velocity differences dissipate with their smooth part
+    bool wholeAtSurface = true;
+    /// In local spacings                                [theory (7.4)]
+    Real collisionDistance = 0.5;
 
     Real particleVolume() const { return Dim == 2 ? sqr(spacing) : cube(spacing); }
 };

@@ -40,9 +40,10 @@ struct Neighbour {
         before = bothTimes ? 0 : kLanes,
         size = before + kLanes
     };
+    /// From `before` on, x and volume as above
     enum PlaceBefore : int {
         uOld = bothTimes ? 6 : Dim
-    };  ///< from `before` on, x and volume as above
+    };
 };
 
 /// Sums over the water partners of a particle, those of every lane apart.
@@ -51,8 +52,8 @@ struct ShiftSum {
     using N = Neighbour<Dim>;
     const Real* own;
     Real WLattice;                            ///< W(s_i)
-    OuterSum<Dim> gradU{},
-        gradUOld{};  ///< without their correction; the latter if a record has both times
+    /// Without their correction; the latter if a record has both times
+    OuterSum<Dim> gradU{}, gradUOld{};
     std::array<Lanes, Dim> bend{};            ///< sum V F (u_j - u_i)
     std::array<Lanes, Dim> concentration{};
     Lanes fastest2{};                         ///< largest |u_ij|^2

@@ -13,8 +13,8 @@ namespace isph {
 template <int Dim>
 struct FaceFields {
     std::vector<Vec<Dim>> v;           ///< extrapolated to the new time [m/s]
-    std::vector<char>
-        carriesDarcy;  ///< whether v, not u, is carried through faces       [theory (3.12)]
+    /// Whether v, not u, is carried through faces       [theory (3.12)]
+    std::vector<char> carriesDarcy;
     std::vector<Real> viscosity;       ///< [m2/s], 0 away from faces
     std::vector<Mat<Dim>> gradient;    ///< grad v in the zone of the particle [1/s]
 };

@@ -182,8 +182,8 @@ private:
 
     const Points<Dim>* points_ = nullptr;
     CellGrid<Dim> grid_;
-    std::array<Real*, Dim>
-        cellX_{};  ///< during build(): coordinates of all points in the order of the cells
+    /// During build(): coordinates of all points in the order of the cells
+    std::array<Real*, Dim> cellX_{};
     Real* cellH_ = nullptr;            ///< their h
     Real support_ = 0, sigma_ = 0, selfW0_ = 0, largestH_ = 0;
     bool oneH_ = true;   ///< all points have the same h: no soil

@@ -16,14 +16,14 @@ struct Water {
     std::vector<Vec<Dim>> u;              ///< pore velocity at the end of the last step [m/s]
     std::vector<Vec<Dim>> uOld;           ///< pore velocity one step before, for BDF2
     std::vector<Real> p;                  ///< pressure of the pressure equation [Pa]
-    std::vector<Vec<Dim>>
-        forceGradient;  ///< c, (grad p)/rho - g as the last step felt it [m/s2]; from its predictor
+    /// C, (grad p)/rho - g as the last step felt it [m/s2]; from its predictor
+    std::vector<Vec<Dim>> forceGradient;
                         ///  to its corrector, as this one will
                         ///                                  [theory (6.4), (5.4)]
-    std::vector<Vec<Dim>>
-        forceGradientOld;  ///< the mean of those before, for its value at the new time   (5.4)
-    std::vector<Real>
-        porosity;  ///< at which u was found, v = eps u; empty where it is not known: without soil
+    /// The mean of those before, for its value at the new time   (5.4)
+    std::vector<Vec<Dim>> forceGradientOld;
+    /// At which u was found, v = eps u; empty where it is not known: without soil
+    std::vector<Real> porosity;
     std::vector<Real> porosityOld;        ///< at which uOld was found
     std::vector<std::int64_t> id;
 

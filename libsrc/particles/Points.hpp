@@ -18,8 +18,8 @@ struct Points {
     Index water = 0;
     Index fluid = 0;
     std::vector<Vec<Dim>> x;
-    std::vector<Real>
-        volume;  ///< m/(eps rho0) of water, that of wall particles if wetted, else 0 [m^D]
+    /// M/(eps rho0) of water, that of wall particles if wetted, else 0 [m^D]
+    std::vector<Real> volume;
     std::vector<Real> h;         ///< smoothing length [m]
     std::vector<Index> owner;  ///< of images: the water or wall number they copy; of others: itself
 

@@ -35,10 +35,10 @@ struct WaterInSoil {
     const PorousState<Dim>& state;
     Span<const Real> resistance;   ///< r_i = a_i + b_i |v_i|  [1/s]
     Real spacing = 0;              ///< d0 [m]
-    Span<const Vec<Dim>>
-        v{};  ///< extrapolated to the new time [m/s]; empty: nothing carries v through faces
-    Span<const char>
-        carriesDarcy{};  ///< whether a particle does                        [theory (3.12)]
+    /// Extrapolated to the new time [m/s]; empty: nothing carries v through faces
+    Span<const Vec<Dim>> v{};
+    /// Whether a particle does                        [theory (3.12)]
+    Span<const char> carriesDarcy{};
 
     Real porosity(Index i) const { return state.porosity[i]; }
     Real sharpPorosity(Index i) const { return state.sharpPorosity[i]; }

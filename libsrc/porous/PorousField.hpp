@@ -32,20 +32,20 @@ std::vector<SoilZone> readZones(const Dictionary& porousZones,
 template <int Dim>
 struct PorousState {
     std::vector<Real> porosity;     ///< eps, 1 in clear water
-    std::vector<Real>
-        sharpPorosity;  ///< with faces as sharp as they are, PorousField::sharpPorosityAt
+    /// With faces as sharp as they are, PorousField::sharpPorosityAt
+    std::vector<Real> sharpPorosity;
     std::vector<Real> share;        ///< phi of the bed: 0 in water, 1 in soil
     std::vector<Index> zone;        ///< with the largest share, or kClearWater
     std::vector<Real> depth;        ///< beneath the nearest face of that zone, in d0
     std::vector<Real> linear;       ///< a of the zone [1/s]
     std::vector<Real> quadratic;    ///< b of the zone [1/m]
     std::vector<Real> mobility;     ///< k = eps/C_r(eps)
-    std::vector<Real>
-        inertia;  ///< chi, 0 in clear water                               [theory (3.13)]
-    std::vector<Vec<Dim>>
-        normal;  ///< grad psi, towards the soil that resists more [1/m]; its direction is used
-    std::vector<Vec<Dim>>
-        solidsFlux;  ///< v_s of released soil [m/s]; empty without   [theory (9.5)]
+    /// Chi, 0 in clear water                               [theory (3.13)]
+    std::vector<Real> inertia;
+    /// Grad psi, towards the soil that resists more [1/m]; its direction is used
+    std::vector<Vec<Dim>> normal;
+    /// V_s of released soil [m/s]; empty without   [theory (9.5)]
+    std::vector<Vec<Dim>> solidsFlux;
 };
 
 /// Sums over soil and walls at a point.
@@ -96,8 +96,8 @@ private:
                      PorousState<Dim>& state) const;
 
     std::vector<SoilZone> zones_;
-    std::vector<Real>
-        rank_;  ///< of the zones: 1 for the least resistance, +1 for each tenfold of it
+    /// Of the zones: 1 for the least resistance, +1 for each tenfold of it
+    std::vector<Real> rank_;
     Real spacing_, reach_;
     CellGrid<Dim> soilGrid_, wallGrid_;
     std::vector<Vec<Dim>> wallX_, soilX_, soilU_;

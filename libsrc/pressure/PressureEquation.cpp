@@ -22,13 +22,14 @@ namespace {
 /// What the rows ask of a partner, side by side in memory.
 template <int Dim>
 struct Partner {
+    /// Row: -1 at the surface
     enum Place : int {
         x = 0,
         v = Dim,
         volume = 2 * Dim,
         row,
         size = 8
-    };  ///< row: -1 at the surface
+    };
 };
 
 template <int Dim>

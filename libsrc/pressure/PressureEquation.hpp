@@ -25,8 +25,8 @@ struct PressureSource {
     Span<const Vec<Dim>> forceGradient;   ///< c_i, (s w - v)/beta, at the new time
     Span<const Real> divergence;          ///< wanted divergence of v_D after the step [1/s]
     Vec<Dim> force{};                     ///< g + body force
-    Span<const Real>
-        surfacePressure{};  ///< p/rho0 of surface particles [m2/s2]; empty: 0   [theory (6.9)]
+    /// P/rho0 of surface particles [m2/s2]; empty: 0   [theory (6.9)]
+    Span<const Real> surfacePressure{};
     Real strongest = 0;     ///< |c_i| that counts near the surface, if larger than |force|
 };
 

@@ -182,8 +182,8 @@ private:
     FunctionObjectList functions_;
     std::optional<Erosion<Dim>> erosion_;   ///< only where the case has constant/erosionProperties
     StepLog log_;
-    std::optional<Real>
-        courantAtStart_;  ///< spacings per second of the fastest water, at the start of the run
+    /// Spacings per second of the fastest water, at the start of the run
+    std::optional<Real> courantAtStart_;
     bool measures_ = true;
     int rereads_ = 0;   ///< of controlDict, that the function objects have followed
 };

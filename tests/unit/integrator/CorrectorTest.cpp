@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../OpenStep.hpp"
 #include "../SceneBuilder.hpp"
 #include "integrator/Corrector.hpp"
 
@@ -11,11 +12,6 @@ using namespace isph;
 namespace {
 
 constexpr Real kDt = 0.01;
-
-struct OpenStep : DragImplicitStep<3> {
-    using DragImplicitStep<3>::DragImplicitStep;
-    StepFields<3>& open() { return this->ProjectionStep<3>::fields_; }
-};
 
 /// A pool 6 deep in which one particle of the second row has risen: the force on it beyond gravity,
 /// with the pressure of water at rest and a surplus of its own.
@@ -31,7 +27,7 @@ Vec<3> forceOnRisen(Real rise, Real surplus)
             return normSqr(a - middle) < normSqr(b - middle); }) - x.begin());
     x[risen][2] += rise;
     Timers timers;
-    OpenStep step(scene, timers);
+    OpenStep<3> step(scene, timers);
     step.look();
     StepFields<3>& fields = step.open();
     const auto n = static_cast<std::size_t>(fields.points.fluid);

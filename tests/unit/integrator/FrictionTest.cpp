@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../OpenStep.hpp"
 #include "../SceneBuilder.hpp"
 #include "boundaries/WallLaw.hpp"
 #include "integrator/FaceCarry.hpp"
@@ -15,12 +16,6 @@ using namespace isph;
 namespace {
 
 constexpr Real kPi = 3.141592653589793;
-
-/// A step whose fields a test may change.
-struct OpenStep : DragImplicitStep<2> {
-    using DragImplicitStep<2>::DragImplicitStep;
-    StepFields<2>& open() { return this->ProjectionStep<2>::fields_; }
-};
 
 constexpr StepWeights kStep{0.01, 0};
 
@@ -50,7 +45,7 @@ struct Predicted {
     StepFields<2>& fields() { return step.open(); }
 
     Timers timers;
-    OpenStep step;
+    OpenStep<2> step;
 };
 
 /// Error of the friction of a shear wave of `length` spacings in a periodic square, of its
@@ -154,7 +149,7 @@ Real changeAfterNoNumbers(Real viscosity, Real eddyViscosity)
     scene.scheme.dissipation = 0;
     scene.water.u[210] = scene.water.uOld[210] = {1, 0};
     Timers timers;
-    OpenStep step(scene, timers);
+    OpenStep<2> step(scene, timers);
     step.look();
     StepFields<2>& fields = step.open();
     if (eddyViscosity > 0) fields.eddyViscosity.assign(fields.points.fluid, eddyViscosity);

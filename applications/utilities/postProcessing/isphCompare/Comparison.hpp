@@ -19,8 +19,8 @@ struct Sample {
 
 /// What the samples are taken from. Exactly one of series, profile and value is given.
 struct Source {
-    std::filesystem::path series,
-        profile;  ///< .dat file, or postProcessing/<name> for all its starts
+    /// .dat file, or postProcessing/<name> for all its starts
+    std::filesystem::path series, profile;
     std::optional<Real> value;
     std::string columns = "*";  ///< of a series: names or patterns, between blanks
     std::string along = "x";    ///< coordinate of a profile's points
@@ -35,8 +35,8 @@ struct Source {
 /// What they are held against: a table, or one number.
 struct Expectation {
     Real value = 0;
-    std::filesystem::path
-        reference;  ///< csv of t, value for a series; of t, x, value for a profile
+    /// Csv of t, value for a series; of t, x, value for a profile
+    std::filesystem::path reference;
     bool band = false;  ///< of t, value, low, high: what lies between low and high is as expected
 };
 
